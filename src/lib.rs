@@ -1,0 +1,14 @@
+//! Geodesic distances and shortest paths on triangle meshes.
+#![cfg_attr(not(feature = "capi"), forbid(unsafe_code))]
+
+mod control;
+mod error;
+mod mesh;
+mod metric;
+mod surface;
+
+pub use control::Control;
+pub use error::{Element, Error, Reason, Result, Status};
+pub use mesh::Mesh;
+pub use mesh::input::{ElementType, Faces, IndexType, Rows, ScalarType};
+pub use surface::point::Source;

@@ -1,0 +1,104 @@
+//! Triangle meshes: any soup of triangles or polygons, checked once and then immutable.
+//!
+//! [`input`] reads the caller's buffers of any stride and type, [`io`] reads files, [`validate`] checks the result,
+//! [`topology`] connects it. Nothing is welded, dropped or reordered: vertex `v` of a mesh is vertex `v` of its input.
+//!
+//! A polygon becomes a fan of triangles from its first corner. A triangle that repeats a vertex index is kept, so that
+//! numbers do not shift, but it is *ignored*: nothing travels over it. Such triangles are listed by
+//! [`Mesh::ignored_triangles`].
+
+pub(crate) mod input;
+pub(crate) mod topology;
+mod validate;
+
+use crate::error::Result;
+use input::{Faces, Rows, ScalarType};
+use std::sync::Arc;
+use topology::Topology;
+
+/// An immutable mesh; clones share one copy of the data.
+#[derive(Debug, Clone)]
+pub struct Mesh(Arc<MeshData>);
+
+#[derive(Debug)]
+struct MeshData {
+    positions: Vec<[f64; 3]>,
+    triangles: Vec<[u32; 3]>,
+    ignored: Vec<u32>,
+    topology: Topology,
+}
+
+impl Mesh {
+    /// A mesh of vertex positions (mesh units) and triangles (vertex indices from 0).
+    ///
+    /// O(V + F) time and memory.
+    ///
+    /// # Errors
+    /// [`Reason::IndexOutOfRange`](crate::Reason) and [`Reason::NonFiniteCoordinate`](crate::Reason) name the face or
+    /// vertex; the latter is raised only for a vertex that a face uses. [`Reason::TooManyElements`](crate::Reason)
+    /// where 3·F or V does not fit in 32 bits.
+    pub fn from_triangles(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Mesh> {
+        Mesh::from_parts(positions.to_vec(), triangles.to_vec())
+    }
+
+    /// A mesh of polygons: face `f` has the corners `corners[offsets[f]..offsets[f + 1]]`, so `offsets` has one entry
+    /// more than there are faces (or none at all). Each polygon becomes a fan of triangles from its first corner.
+    ///
+    /// # Errors
+    /// As [`Mesh::from_triangles`], and [`Reason::BadOffsets`](crate::Reason) or
+    /// [`Reason::FaceTooSmall`](crate::Reason) naming the face.
+    pub fn from_polygons(positions: &[[f64; 3]], offsets: &[u32], corners: &[u32]) -> Result<Mesh> {
+        Mesh::from_parts(positions.to_vec(), input::fans(offsets, corners)?)
+    }
+
+    /// A mesh of the caller's raw buffers, in any stride and type. They are read once; nothing of them is kept.
+    ///
+    /// # Errors
+    /// As [`Mesh::from_polygons`]. A negative index counts as out of range.
+    pub fn from_buffers(positions: Rows<'_, ScalarType>, faces: Faces<'_>) -> Result<Mesh> {
+        Mesh::from_parts(positions.positions(), faces.triangles()?)
+    }
+
+    fn from_parts(positions: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Result<Mesh> {
+        validate::sizes(positions.len(), triangles.len())?;
+        validate::elements(&positions, &triangles)?;
+        let ignored = validate::repeated_index(&triangles);
+        let topology = Topology::new(positions.len(), &triangles);
+        Ok(Mesh(Arc::new(MeshData { positions, triangles, ignored, topology })))
+    }
+
+    /// How many vertices the mesh has, unreferenced ones included.
+    #[must_use]
+    pub fn vertex_count(&self) -> usize {
+        self.0.positions.len()
+    }
+
+    /// How many triangles the mesh has, ignored ones included; a polygon of n corners counts n - 2.
+    #[must_use]
+    pub fn triangle_count(&self) -> usize {
+        self.0.triangles.len()
+    }
+
+    /// Position of each vertex, in mesh units. An unreferenced vertex may hold anything, NaN included.
+    #[must_use]
+    pub fn positions(&self) -> &[[f64; 3]] {
+        &self.0.positions
+    }
+
+    /// The three vertex indices of each triangle.
+    #[must_use]
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.0.triangles
+    }
+
+    /// The triangles that repeat a vertex index, ascending; nothing travels over them.
+    #[must_use]
+    pub fn ignored_triangles(&self) -> &[u32] {
+        &self.0.ignored
+    }
+
+    /// How the triangles hang together.
+    pub(crate) fn topology(&self) -> &Topology {
+        &self.0.topology
+    }
+}
