@@ -3,12 +3,14 @@
 
 mod control;
 mod error;
+mod exact;
 mod mesh;
 mod metric;
 mod surface;
 
 pub use control::Control;
 pub use error::{Element, Error, Reason, Result, Status};
+pub use exact::{ExactField, ExactOptions, ExactSolver};
 pub use mesh::Mesh;
 pub use mesh::input::{ElementType, Faces, IndexType, Rows, ScalarType};
 pub use surface::point::Source;

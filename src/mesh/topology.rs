@@ -83,10 +83,19 @@ impl Topology {
     }
 }
 
-/// The two ends of half-edge `h`: where it starts, where it ends.
-pub(crate) fn ends(triangles: &[[u32; 3]], h: u32) -> [u32; 2] {
-    let triangle = triangles[(h / 3) as usize];
-    [triangle[(h % 3) as usize], triangle[((h + 1) % 3) as usize]]
+/// The half-edge after `h` in its triangle.
+pub(crate) fn next(h: u32) -> u32 {
+    if h % 3 == 2 { h - 2 } else { h + 1 }
+}
+
+/// The half-edge before `h` in its triangle.
+pub(crate) fn prev(h: u32) -> u32 {
+    if h.is_multiple_of(3) { h + 2 } else { h - 1 }
+}
+
+/// The vertex where half-edge `h` starts.
+pub(crate) fn start(triangles: &[[u32; 3]], h: u32) -> u32 {
+    triangles[(h / 3) as usize][(h % 3) as usize]
 }
 
 /// Numbers the edges by their smaller end, then by the larger: (edge of each half-edge, ends of each edge).
@@ -101,10 +110,7 @@ fn edges(vertex_count: usize, triangles: &[[u32; 3]]) -> (Vec<u32>, Vec<[u32; 2]
     let mut at_vertex: Vec<(u32, u32)> = Vec::new();
     for v in 0..by_lower_end.rows() {
         at_vertex.clear();
-        at_vertex.extend(by_lower_end.row(v).iter().map(|&h| {
-            let [a, b] = ends(triangles, h);
-            (a.max(b), h)
-        }));
+        at_vertex.extend(by_lower_end.row(v).iter().map(|&h| (start(triangles, h).max(start(triangles, next(h))), h)));
         at_vertex.sort_unstable();
         for &(upper, h) in &at_vertex {
             if edges.last() != Some(&[v, upper]) {
