@@ -267,20 +267,9 @@ fn symmetric_metric() {
 
 #[test]
 fn splitting_triangles_at_midpoints_changes_nothing() {
-    let (mut points, triangles) = grid(7, rough);
+    let (points, triangles) = grid(7, rough);
     let coarse = distances(&points, &triangles, 10);
-    let mut middle = std::collections::HashMap::new();
-    let mut fine = Triangles::new();
-    for &[a, b, c] in &triangles {
-        let mut mid = |u: u32, v: u32| {
-            *middle.entry((u.min(v), u.max(v))).or_insert_with(|| {
-                points.push(std::array::from_fn(|k| 0.5 * (points[u as usize][k] + points[v as usize][k])));
-                points.len() as u32 - 1
-            })
-        };
-        let [ab, bc, ca] = [mid(a, b), mid(b, c), mid(c, a)];
-        fine.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
-    }
+    let (points, fine) = subdivided(&points, &triangles);
     assert_close(&distances(&points, &fine, 10)[..coarse.len()], &coarse, 1e-14);
 }
 
@@ -363,4 +352,62 @@ fn errors_name_the_source_or_target() {
     let nan = zero.with_offset(f64::NAN);
     assert_eq!(run(&[zero, zero, nan], &[]), (Reason::BadArgument, Some(Element::Source(2))));
     assert_eq!(run(&[zero], &[3, 9]), (Reason::VertexOutOfRange, Some(Element::Target(1))));
+}
+
+/// A soup of random triangles on few vertices, which lie on a coarse grid or anywhere: edges with many triangles, fans
+/// that meet at a vertex, triangles without area, edges without length, coplanar and folded pairs are the rule.
+fn soup(random: &mut Random) -> (Points, Triangles) {
+    let vertices = 4 + (random.next() * 6.0) as u32;
+    let faces = 1 + (random.next() * 12.0) as u32;
+    let coarse = random.next() < 0.6;
+    let coordinate = |random: &mut Random| if coarse { (random.next() * 3.0).floor() } else { random.next() };
+    let points = (0..vertices).map(|_| [0; 3].map(|_| coordinate(random))).collect();
+    let triangles = (0..faces).map(|_| [0; 3].map(|_| (random.next() * f64::from(vertices)) as u32)).collect();
+    (points, triangles)
+}
+
+/// Every triangle cut into four at the midpoints of its edges; the first vertices are the old ones.
+fn subdivided(points: &[[f64; 3]], triangles: &[[u32; 3]]) -> (Points, Triangles) {
+    let mut points = points.to_vec();
+    let mut middle = std::collections::HashMap::new();
+    let mut fine = Triangles::new();
+    for &[a, b, c] in triangles.iter().filter(|&&[a, b, c]| a != b && b != c && c != a) {
+        let mut mid = |u: u32, v: u32| {
+            *middle.entry((u.min(v), u.max(v))).or_insert_with(|| {
+                points.push(std::array::from_fn(|k| 0.5 * (points[u as usize][k] + points[v as usize][k])));
+                points.len() as u32 - 1
+            })
+        };
+        let [ab, bc, ca] = [mid(a, b), mid(b, c), mid(c, a)];
+        fine.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+    }
+    (points, fine)
+}
+
+#[test]
+fn random_soups_keep_the_invariants() {
+    let mut random = Random(1);
+    for case in 0..20_000 {
+        let (points, triangles) = soup(&mut random);
+        let n = points.len() as u32;
+        let all: Vec<Vec<f64>> = (0..n).map(|v| distances(&points, &triangles, v)).collect();
+        let close = |a: f64, b: f64| a == b || (a - b).abs() <= 1e-12;
+        for a in 0..n as usize {
+            for b in 0..n as usize {
+                assert!(close(all[a][b], all[b][a]), "case {case}: {a}, {b}: {} and {}", all[a][b], all[b][a]);
+                assert!(
+                    all[a][b] >= euclid(points[a], points[b]) - 1e-12,
+                    "case {case}: {a}, {b} shorter than straight"
+                );
+                for c in 0..n as usize {
+                    assert!(all[a][b] <= all[a][c] + all[c][b] + 1e-12, "case {case}: {a}, {b} over {c}");
+                }
+            }
+        }
+        let (fine_points, fine) = subdivided(&points, &triangles);
+        let finer = distances(&fine_points, &fine, 0);
+        for b in 0..n as usize {
+            assert!(close(all[0][b], finer[b]), "case {case}: 0 to {b}: {}, subdivided {}", all[0][b], finer[b]);
+        }
+    }
 }

@@ -62,6 +62,17 @@ fn double_area(sides: [[f64; 3]; 3], lengths: [f64; 3]) -> f64 {
     dot(cross, cross).sqrt()
 }
 
+/// Which triangles are *slivers*: lower than this share of one of their edges. A straight line turns so little in them
+/// that it may cross very many of them, or the same ones again and again, before it grows longer.
+const SLIVER_HEIGHT: f64 = 1e-6;
+
+pub(crate) fn slivers(charts: &[Chart]) -> Vec<bool> {
+    charts
+        .chunks_exact(3)
+        .map(|triangle| triangle.iter().any(|chart| chart.ty < SLIVER_HEIGHT * chart.length))
+        .collect()
+}
+
 /// Which vertices are pseudo-sources.
 pub(crate) fn pseudo_sources(mesh: &Mesh, charts: &[Chart]) -> Vec<bool> {
     let topology = mesh.topology();

@@ -7,16 +7,15 @@
 //!
 //! n windows cost O(n log n) plus one comparison per overlap; what comes out is disjoint and sorted.
 //!
+//! [`keep_news`] trims against what crossed the half-edge before. Only slivers need that: a straight line may cross two
+//! triangles without area, back and forth, for ever, and grow no longer.
+//!
 //! Reference: Mitchell, Mount, Papadimitriou 1987 (section 3, intervals of optimality).
 
 use super::window::Window;
 
-/// A piece [from, to] of window `owner` while two sets of windows are merged.
-struct Piece {
-    window: Window,
-    from: f64,
-    to: f64,
-}
+/// A remembered path is only displaced by one that is shorter by this share: more than the rounding of a few crossings.
+const NEWS: f64 = 1e-14;
 
 /// Trims windows of one half-edge in place; `scratch` is overwritten.
 pub(crate) fn trim(windows: &mut Vec<Window>, scratch: &mut Vec<Window>) {
@@ -28,29 +27,46 @@ pub(crate) fn trim(windows: &mut Vec<Window>, scratch: &mut Vec<Window>) {
     }
     scratch.clear();
     for window in windows.iter() {
-        insert(scratch, *window);
+        insert(scratch, *window, 0.0, |_| {});
     }
     std::mem::swap(windows, scratch);
 }
 
-/// Inserts a window into a disjoint sorted list.
-fn insert(disjoint: &mut Vec<Window>, new: Window) {
-    let first = disjoint.iter().rposition(|old| old.b1 <= new.b0).map_or(0, |i| i + 1);
-    if first == disjoint.len() {
-        disjoint.push(new);
-        return;
+/// Keeps of the windows what is shorter than anything in `memory`, which is disjoint and sorted, and remembers it.
+pub(crate) fn keep_news(memory: &mut Vec<Window>, windows: &mut Vec<Window>, scratch: &mut Vec<Window>) {
+    scratch.clear();
+    for window in windows.iter() {
+        insert(memory, *window, NEWS, |piece| scratch.push(piece));
     }
+    std::mem::swap(windows, scratch);
+}
+
+/// Inserts a window into a disjoint sorted list, at the points where it is shorter by the share `margin`; those pieces
+/// of it go to `won` as well.
+fn insert(disjoint: &mut Vec<Window>, new: Window, margin: f64, mut won: impl FnMut(Window)) {
+    let first = disjoint.iter().rposition(|old| old.b1 <= new.b0).map_or(0, |i| i + 1);
     let mut pieces = Pieces::default();
     let mut done = new.b0;
     for old in disjoint.drain(first..) {
-        pieces.push(&old, old.b0, old.b1.min(new.b0));
-        pieces.push(&new, done, old.b0.min(new.b1));
-        contest(&mut pieces, &old, &new);
-        pieces.push(&old, old.b0.max(new.b1), old.b1);
+        pieces.push(&old, false, old.b0, old.b1.min(new.b0));
+        pieces.push(&new, true, done, old.b0.min(new.b1));
+        contest(&mut pieces, &old, &new, margin);
+        pieces.push(&old, false, old.b0.max(new.b1), old.b1);
         done = old.b1.max(done);
     }
-    pieces.push(&new, done, new.b1);
-    disjoint.extend(pieces.0.iter().map(|piece| Window { b0: piece.from, b1: piece.to, ..piece.window }));
+    pieces.push(&new, true, done, new.b1);
+    for piece in pieces.0 {
+        disjoint.push(piece.window);
+        if piece.is_new {
+            won(piece.window);
+        }
+    }
+}
+
+/// A part of a window while two sets of windows are merged.
+struct Piece {
+    window: Window,
+    is_new: bool,
 }
 
 /// Pieces from left to right.
@@ -58,42 +74,45 @@ fn insert(disjoint: &mut Vec<Window>, new: Window) {
 struct Pieces(Vec<Piece>);
 
 impl Pieces {
-    /// Appends [from, to] of a window, if that is not empty, to its last piece where it continues it.
-    fn push(&mut self, window: &Window, from: f64, to: f64) {
+    /// Appends [from, to] of a window, if that is not empty; to the last piece where it continues that one.
+    fn push(&mut self, window: &Window, is_new: bool, from: f64, to: f64) {
         if from >= to {
             return;
         }
+        let cut = Window { b0: from, b1: to, ..*window };
         match self.0.last_mut() {
-            Some(last) if last.window == *window && last.to == from => last.to = to,
-            _ => self.0.push(Piece { window: *window, from, to }),
+            Some(last) if last.is_new == is_new && last.window == (Window { b0: last.window.b0, b1: from, ..cut }) => {
+                last.window.b1 = to;
+            }
+            _ => self.0.push(Piece { window: cut, is_new }),
         }
     }
 }
 
 /// Shares out the overlap of two windows.
-fn contest(pieces: &mut Pieces, old: &Window, new: &Window) {
+fn contest(pieces: &mut Pieces, old: &Window, new: &Window, margin: f64) {
     let (low, high) = (old.b0.max(new.b0), old.b1.min(new.b1));
     if low >= high {
         return;
     }
-    let new_wins = |x: f64| new.distance(x) < old.distance(x);
+    let new_wins = |x: f64| new.distance(x) < old.distance(x) * (1.0 - margin);
     let (wins_low, wins_high) = (new_wins(low), new_wins(high));
-    let better = |new_is: bool| if new_is { new } else { old };
+    let mut give = |to_new: bool, from: f64, to: f64| pieces.push(if to_new { new } else { old }, to_new, from, to);
     if wins_low != wins_high {
         let root = root(&new_wins, low, high);
-        pieces.push(better(wins_low), low, root);
-        pieces.push(better(wins_high), root, high);
+        give(wins_low, low, root);
+        give(wins_high, root, high);
         return;
     }
     // Seen under one angle: (x - s1x) / s1y = (x - s2x) / s2y.
     let stationary = (old.sx * new.sy - new.sx * old.sy) / (new.sy - old.sy);
     if low < stationary && stationary < high && new_wins(stationary) != wins_low {
         let (left, right) = (root(&new_wins, low, stationary), root(&new_wins, stationary, high));
-        pieces.push(better(wins_low), low, left);
-        pieces.push(better(!wins_low), left, right);
-        pieces.push(better(wins_low), right, high);
+        give(wins_low, low, left);
+        give(!wins_low, left, right);
+        give(wins_low, right, high);
     } else {
-        pieces.push(better(wins_low), low, high);
+        give(wins_low, low, high);
     }
 }
 

@@ -19,13 +19,13 @@
 //! propagation", ACM TOG 35 (2016).
 
 use super::Prepared;
-use super::envelope::trim;
+use super::envelope::{keep_news, trim};
 use super::window::{Entry, Window};
 use crate::control::Control;
 use crate::error::Result;
 use crate::mesh::topology::{NONE, next, prev, start};
 use std::cmp::Reverse;
-use std::collections::{BinaryHeap, VecDeque};
+use std::collections::{BinaryHeap, HashMap, VecDeque};
 
 /// The windows that wait on one half-edge.
 #[derive(Debug, Default)]
@@ -49,6 +49,8 @@ pub(crate) struct Front<'a> {
     free: Vec<u32>,
     /// Half-edges whose lists are to cross.
     queue: VecDeque<u32>,
+    /// What crossed the half-edges of slivers.
+    memory: HashMap<u32, Vec<Window>>,
     scratch: Vec<Window>,
     crossed: u64,
 }
@@ -68,6 +70,7 @@ impl<'a> Front<'a> {
             lists: Vec::new(),
             free: Vec::new(),
             queue: VecDeque::new(),
+            memory: HashMap::new(),
             scratch: Vec::new(),
             crossed: 0,
         }
@@ -210,6 +213,9 @@ impl<'a> Front<'a> {
         let entry = list.entry.take().unwrap_or(Entry::NONE);
         self.drop_dominated(h, &mut windows);
         trim(&mut windows, &mut self.scratch);
+        if self.solver.sliver[(h / 3) as usize] {
+            keep_news(self.memory.entry(h).or_default(), &mut windows, &mut self.scratch);
+        }
         self.crossed += windows.len() as u64;
         self.throw(h, &windows, self.split_point(h, entry));
         windows.clear();
