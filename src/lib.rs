@@ -13,4 +13,6 @@ pub use error::{Element, Error, Reason, Result, Status};
 pub use exact::{ExactField, ExactOptions, ExactSolver};
 pub use mesh::Mesh;
 pub use mesh::input::{ElementType, Faces, IndexType, Rows, ScalarType};
+pub use mesh::io::MeshFormat;
+pub use mesh::shapes;
 pub use surface::point::Source;

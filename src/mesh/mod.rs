@@ -8,6 +8,8 @@
 //! [`Mesh::ignored_triangles`].
 
 pub(crate) mod input;
+pub(crate) mod io;
+pub mod shapes;
 pub(crate) mod topology;
 mod validate;
 
