@@ -47,17 +47,17 @@ impl MeshFormat {
 impl Mesh {
     /// The mesh in a file; the suffix tells the format: `.obj`, `.off` or `.ply`, also with `.gz` behind it.
     ///
+    /// The messages of errors leave the path to the caller, as those of `std::fs` do.
+    ///
     /// # Errors
     /// [`Reason::Io`] where the file cannot be read, [`Reason::UnknownFormat`] where the suffix is none of these, and
     /// as [`Mesh::read_bytes`].
     pub fn read(path: impl AsRef<Path>) -> Result<Mesh> {
         let path = path.as_ref();
         let format = MeshFormat::of(path).ok_or_else(|| {
-            let message = format!("{}: the suffix is not .obj, .off or .ply, nor one of these and .gz", path.display());
-            Error::new(Reason::UnknownFormat, message)
+            Error::new(Reason::UnknownFormat, "the suffix is not .obj, .off or .ply, nor one of these and .gz")
         })?;
-        let bytes = std::fs::read(path)
-            .map_err(|error| Error::new(io_reason(&error), format!("{}: {error}", path.display())))?;
+        let bytes = std::fs::read(path).map_err(|error| Error::new(io_reason(&error), error.to_string()))?;
         Mesh::read_bytes(&bytes, format)
     }
 

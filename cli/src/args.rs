@@ -1,0 +1,223 @@
+//! The command line.
+
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+use taut::{HeatOptions, Laplacian, Shift, Solver, TimeFormula, TimeScale, TimeStep};
+
+/// Geodesic distances on triangle meshes: how far it is along the surface.
+#[derive(Debug, Parser)]
+#[command(name = "taut", version)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    Distance(DistanceArgs),
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  taut distance bunny.obj --source 0
+      the distance of every vertex from vertex 0, one a line, on standard output
+  taut distance bunny.obj --source 0 --method exact -o exact.txt
+      the exact distances, into a file
+  taut distance bunny.obj --source 0 --reference exact.txt --json
+      how far the heat method is from them, and how long it took
+  taut distance bunny.obj --source 0 --method exact --target 4711
+      the distance of one vertex
+
+Exit code: 0 success, 1 failure, 2 a command line that makes no sense.";
+
+/// Distance of each vertex of a mesh from one or more source vertices
+///
+/// One distance a line, in the order of the vertices and the units of the mesh, as the shortest decimal that reads back
+/// to the same number; `inf` where no source can be reached. Vertices count from 0.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct DistanceArgs {
+    /// Mesh file: .obj, .off or .ply, also with .gz behind it
+    pub(crate) mesh: PathBuf,
+
+    /// Source vertex; may be given several times, for the distance to the nearest
+    #[arg(long = "source", value_name = "V", required_unless_present = "sources", conflicts_with = "sources")]
+    pub(crate) source: Vec<u32>,
+
+    /// File of sources: a vertex a line and, if you like, the distance it starts with; # begins a comment
+    #[arg(long, value_name = "FILE")]
+    pub(crate) sources: Option<PathBuf>,
+
+    /// heat: fast and approximate. exact: along the surface of the triangles, to rounding
+    #[arg(long, value_enum, default_value_t = Method::Heat)]
+    pub(crate) method: Method,
+
+    #[command(flatten)]
+    pub(crate) heat: HeatArgs,
+
+    /// Write only the distance of this vertex; the exact method stops as soon as it knows it
+    #[arg(long, value_name = "V")]
+    pub(crate) target: Option<u32>,
+
+    /// Compare with this file of distances, one a line: mean, median and maximum error in percent, on standard error
+    #[arg(long, value_name = "FILE")]
+    pub(crate) reference: Option<PathBuf>,
+
+    /// Write the distances to this file instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Print one JSON object on standard output: counts, time step, largest distance, seconds of work, errors;
+    /// the distances are then written to --output only
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Each is `None` where it was not given, so that the exact method can refuse it.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Options of the heat method")]
+pub(crate) struct HeatArgs {
+    /// Time t that heat flows: mean-edge (the default), sigma, mean-sigma, median-fit, median-mean, which are the
+    /// paper's equations 1 to 5, or a number in the mesh's units squared. Smaller is sharper, larger smoother
+    #[arg(long, value_name = "FORMULA|T", value_parser = time_step, allow_negative_numbers = true)]
+    time_step: Option<TimeStepArg>,
+
+    /// Units of the formulas. paper (the default): as if the mesh had the paper's size. raw: the mesh's own
+    #[arg(long, value_enum)]
+    time_scale: Option<TimeScaleArg>,
+
+    /// Multiply a formula's t by this
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    time_factor: Option<f64>,
+
+    /// intrinsic (the default): on the Delaunay triangulation of the same surface, good on bad triangles too.
+    /// plain: cotangents of the triangles as they are
+    #[arg(long, value_enum)]
+    laplacian: Option<LaplacianArg>,
+
+    /// Library that solves the linear systems: faer (the default) or ldl
+    #[arg(long, value_enum)]
+    solver: Option<SolverArg>,
+
+    /// What the mesh's boundary does to heat: from 0 (the default), it lets none through, to 1, it swallows all
+    #[arg(long, value_name = "B", allow_negative_numbers = true)]
+    boundary: Option<f64>,
+
+    /// pinned (the default): each source has its own start distance. min: the least distance is moved to 0
+    #[arg(long, value_enum)]
+    shift: Option<ShiftArg>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Method {
+    Heat,
+    Exact,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum TimeStepArg {
+    Formula(TimeFormula),
+    Value(f64),
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum TimeScaleArg {
+    Paper,
+    Raw,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum LaplacianArg {
+    Intrinsic,
+    Plain,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum SolverArg {
+    Faer,
+    Ldl,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum ShiftArg {
+    Pinned,
+    Min,
+}
+
+fn time_step(text: &str) -> Result<TimeStepArg, String> {
+    Ok(TimeStepArg::Formula(match text {
+        "mean-edge" => TimeFormula::MeanEdge,
+        "sigma" => TimeFormula::Sigma,
+        "mean-sigma" => TimeFormula::MeanSigma,
+        "median-fit" => TimeFormula::MedianFit,
+        "median-mean" => TimeFormula::MedianMean,
+        _ => {
+            let expected = "neither a number nor one of mean-edge, sigma, mean-sigma, median-fit, median-mean";
+            return text.parse().map(TimeStepArg::Value).map_err(|_| expected.to_owned());
+        }
+    }))
+}
+
+impl DistanceArgs {
+    /// Refuses what clap cannot see by itself.
+    pub(crate) fn check(&self) -> Result<(), clap::Error> {
+        let conflict = |message: String| Err(Cli::command().error(ErrorKind::ArgumentConflict, message));
+        if let (Method::Exact, Some(option)) = (self.method, self.heat.first_given()) {
+            return conflict(format!("{option} belongs to the heat method and means nothing with --method exact"));
+        }
+        if let (Some(TimeStepArg::Value(_)), Some(_)) = (self.heat.time_step, self.heat.time_factor) {
+            return conflict("--time-factor multiplies a formula's t; --time-step gives t as a number".to_owned());
+        }
+        Ok(())
+    }
+}
+
+impl HeatArgs {
+    fn first_given(&self) -> Option<&'static str> {
+        let given = [
+            ("--time-step", self.time_step.is_some()),
+            ("--time-scale", self.time_scale.is_some()),
+            ("--time-factor", self.time_factor.is_some()),
+            ("--laplacian", self.laplacian.is_some()),
+            ("--solver", self.solver.is_some()),
+            ("--boundary", self.boundary.is_some()),
+            ("--shift", self.shift.is_some()),
+        ];
+        given.into_iter().find_map(|(name, is_given)| is_given.then_some(name))
+    }
+
+    /// The library's options, its defaults where nothing was given.
+    pub(crate) fn options(&self) -> HeatOptions {
+        let default = HeatOptions::default();
+        HeatOptions {
+            laplacian: self.laplacian.map_or(default.laplacian, |laplacian| match laplacian {
+                LaplacianArg::Intrinsic => Laplacian::Intrinsic,
+                LaplacianArg::Plain => Laplacian::Plain,
+            }),
+            solver: self.solver.map_or(default.solver, |solver| match solver {
+                SolverArg::Faer => Solver::Faer,
+                SolverArg::Ldl => Solver::Ldl,
+            }),
+            time_step: self.time_step(),
+            boundary: self.boundary.unwrap_or(default.boundary),
+            shift: self.shift.map_or(default.shift, |shift| match shift {
+                ShiftArg::Pinned => Shift::Pinned,
+                ShiftArg::Min => Shift::Min,
+            }),
+        }
+    }
+
+    fn time_step(&self) -> TimeStep {
+        let scale = match self.time_scale.unwrap_or(TimeScaleArg::Paper) {
+            TimeScaleArg::Paper => TimeScale::Paper,
+            TimeScaleArg::Raw => TimeScale::Raw,
+        };
+        match self.time_step.unwrap_or(TimeStepArg::Formula(TimeFormula::MeanEdge)) {
+            TimeStepArg::Formula(formula) => {
+                TimeStep::Formula { formula, scale, factor: self.time_factor.unwrap_or(1.0) }
+            }
+            TimeStepArg::Value(t) => TimeStep::Value(t),
+        }
+    }
+}

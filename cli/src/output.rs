@@ -1,0 +1,62 @@
+//! What the command writes.
+
+use crate::Result;
+use crate::comparison::Errors;
+use crate::measured::Seconds;
+use serde::Serialize;
+use std::fmt::Write as _;
+use std::io::{ErrorKind, Write as _};
+use std::path::Path;
+
+/// The object of `--json`, key by key; a number that is not finite is written as null.
+#[derive(Debug, Serialize)]
+pub(crate) struct Report {
+    pub(crate) vertices: usize,
+    pub(crate) faces: usize,
+    /// t in mesh units squared; null for the exact method.
+    pub(crate) time_step: Option<f64>,
+    pub(crate) largest_distance: Option<f64>,
+    pub(crate) unreachable: usize,
+    pub(crate) timing: Timing,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) error: Option<Errors>,
+}
+
+/// Where the time went.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct Timing {
+    pub(crate) read: Seconds,
+    pub(crate) setup: Seconds,
+    pub(crate) solve: Seconds,
+}
+
+impl Report {
+    /// Prints the object on standard output, on one line.
+    pub(crate) fn print(&self) -> Result<()> {
+        let json = serde_json::to_string(self).map_err(|error| error.to_string())?;
+        print(&(json + "\n"))
+    }
+}
+
+/// One number a line, each as the shortest decimal that reads back to it.
+pub(crate) fn lines(distances: &[f64]) -> String {
+    distances.iter().fold(String::with_capacity(20 * distances.len()), |mut text, distance| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{distance}");
+        text
+    })
+}
+
+/// Writes to standard output; a reader that has seen enough, as `head` has, is no failure.
+pub(crate) fn print(text: &str) -> Result<()> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(format!("standard output: {error}")),
+        _ => Ok(()),
+    }
+}
+
+/// Writes a file.
+pub(crate) fn write(path: &Path, text: &str) -> Result<()> {
+    std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))
+}
