@@ -33,10 +33,11 @@ Exit code: 0 success, 1 failure, 2 a command line that makes no sense.";
 
 /// Distance of each vertex of a mesh from one or more source vertices
 ///
-/// One distance a line, in the order of the vertices and the units of the mesh, as the shortest decimal that reads back
-/// to the same number; `inf` where no source can be reached. Vertices count from 0.
+/// Writes one distance a line, in the order of the vertices and in the units of the mesh:
+/// the shortest decimal that reads back to the same number, or inf where no source can be reached.
+/// Vertices count from 0.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, verbatim_doc_comment)]
 pub(crate) struct DistanceArgs {
     /// Mesh file: .obj, .off or .ply, also with .gz behind it
     pub(crate) mesh: PathBuf,
@@ -45,73 +46,82 @@ pub(crate) struct DistanceArgs {
     #[arg(long = "source", value_name = "V", required_unless_present = "sources", conflicts_with = "sources")]
     pub(crate) source: Vec<u32>,
 
-    /// File of sources: a vertex a line and, if you like, the distance it starts with; # begins a comment
+    /// File of sources, one a line: vertex and, if wanted, start distance; # begins a comment
     #[arg(long, value_name = "FILE")]
     pub(crate) sources: Option<PathBuf>,
 
-    /// heat: fast and approximate. exact: along the surface of the triangles, to rounding
+    /// How distances are found
     #[arg(long, value_enum, default_value_t = Method::Heat)]
     pub(crate) method: Method,
-
-    #[command(flatten)]
-    pub(crate) heat: HeatArgs,
 
     /// Write only the distance of this vertex; the exact method stops as soon as it knows it
     #[arg(long, value_name = "V")]
     pub(crate) target: Option<u32>,
 
-    /// Compare with this file of distances, one a line: mean, median and maximum error in percent, on standard error
-    #[arg(long, value_name = "FILE")]
+    /// Compare with the distances of this file, one a line:
+    /// mean, median and maximum error in percent, on standard error
+    #[arg(verbatim_doc_comment, long, value_name = "FILE")]
     pub(crate) reference: Option<PathBuf>,
 
     /// Write the distances to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Print one JSON object on standard output: counts, time step, largest distance, seconds of work, errors;
-    /// the distances are then written to --output only
-    #[arg(long)]
+    /// Print one JSON object on standard output: counts, time step, largest distance, seconds of
+    /// work, and with --reference the errors; distances are then written to --output only
+    #[arg(verbatim_doc_comment, long)]
     pub(crate) json: bool,
+
+    // Last: the heading of these options stays in force for whatever follows.
+    #[command(flatten)]
+    pub(crate) heat: HeatArgs,
 }
 
 /// Each is `None` where it was not given, so that the exact method can refuse it.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Options of the heat method")]
 pub(crate) struct HeatArgs {
-    /// Time t that heat flows: mean-edge (the default), sigma, mean-sigma, median-fit, median-mean, which are the
-    /// paper's equations 1 to 5, or a number in the mesh's units squared. Smaller is sharper, larger smoother
-    #[arg(long, value_name = "FORMULA|T", value_parser = time_step, allow_negative_numbers = true)]
+    /// How long heat flows, t; less is sharper, more is smoother. With the mean ē and standard
+    /// deviation σ of the edge lengths, and the numbers of the paper's equations:
+    ///   mean-edge    ē² (1, the default)
+    ///   sigma        σ (2)
+    ///   mean-sigma   (ē² + σ) / 2 (3)
+    ///   median-fit   1.01204 σ - 0.0001 (4)
+    ///   median-mean  (ē² + 1.01204 σ - 0.0001) / 2 (5)
+    ///   a number     t itself, in the mesh's units squared
+    #[arg(verbatim_doc_comment, long, value_name = "FORMULA|T", value_parser = time_step, allow_negative_numbers = true)]
     time_step: Option<TimeStepArg>,
 
-    /// Units of the formulas. paper (the default): as if the mesh had the paper's size. raw: the mesh's own
-    #[arg(long, value_enum)]
+    /// Units in which a formula is evaluated [default: paper]
+    #[arg(long, value_enum, value_name = "SCALE")]
     time_scale: Option<TimeScaleArg>,
 
-    /// Multiply a formula's t by this
+    /// Multiply a formula's t by this [default: 1]
     #[arg(long, value_name = "M", allow_negative_numbers = true)]
     time_factor: Option<f64>,
 
-    /// intrinsic (the default): on the Delaunay triangulation of the same surface, good on bad triangles too.
-    /// plain: cotangents of the triangles as they are
+    /// Laplacian of the heat flow [default: intrinsic]
     #[arg(long, value_enum)]
     laplacian: Option<LaplacianArg>,
 
-    /// Library that solves the linear systems: faer (the default) or ldl
+    /// Library that solves the linear systems [default: faer]
     #[arg(long, value_enum)]
     solver: Option<SolverArg>,
 
-    /// What the mesh's boundary does to heat: from 0 (the default), it lets none through, to 1, it swallows all
+    /// Heat at the boundary of the mesh: from 0, none leaves, to 1, all is swallowed [default: 0]
     #[arg(long, value_name = "B", allow_negative_numbers = true)]
     boundary: Option<f64>,
 
-    /// pinned (the default): each source has its own start distance. min: the least distance is moved to 0
+    /// Where distances begin [default: pinned]
     #[arg(long, value_enum)]
     shift: Option<ShiftArg>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Method {
+    /// Fast and approximate, by the flow of heat
     Heat,
+    /// Shortest paths over the triangles, exact up to rounding
     Exact,
 }
 
@@ -123,25 +133,33 @@ enum TimeStepArg {
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum TimeScaleArg {
+    /// As if the mesh were scaled to the size of the paper's meshes
     Paper,
+    /// The units of the mesh as they stand
     Raw,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum LaplacianArg {
+    /// Of the Delaunay triangulation of the same surface: good on bad triangles too
     Intrinsic,
+    /// Cotangents of the triangles as they are
     Plain,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum SolverArg {
+    /// Cholesky factors by faer
     Faer,
+    /// LDLᵀ factors by sprs-ldl
     Ldl,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum ShiftArg {
+    /// Each source has its own start distance
     Pinned,
+    /// The least distance is moved to 0
     Min,
 }
 

@@ -7,7 +7,7 @@ use taut::Source;
 
 /// The sources of a file: `vertex [offset]` a line.
 pub(crate) fn sources(path: &Path) -> Result<Vec<Source>> {
-    entries(path, "a vertex and, if you like, the distance it starts with", |words| match words {
+    entries(path, "a vertex and, if wanted, its start distance", |words| match words {
         [vertex] => Some(Source::vertex(number(vertex)?)),
         [vertex, offset] => Some(Source::vertex(number(vertex)?).with_offset(number(offset)?)),
         _ => None,

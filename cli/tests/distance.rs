@@ -287,7 +287,7 @@ fn help_names_every_option() {
     ] {
         assert!(help.contains(option), "{option}");
     }
-    assert!(help.lines().all(|line| line.chars().count() <= 140), "{help}");
+    assert!(help.lines().all(|line| line.chars().count() <= 100), "{help}");
 }
 
 #[test]

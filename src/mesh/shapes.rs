@@ -108,7 +108,7 @@ pub fn cone(angle: f64, sides: u32, rings: u32) -> Shape {
     let ray = |side: u32| {
         let (sin, cos) = (TAU * f64::from(side) / f64::from(sides)).sin_cos();
         let level = (1.0 - sin_elevation * sin_elevation).sqrt();
-        let down = if is_saddle && side % 2 == 0 { 1.0 } else { -1.0 };
+        let down = if is_saddle && side.is_multiple_of(2) { 1.0 } else { -1.0 };
         [level * cos, level * sin, down * sin_elevation]
     };
     let mut positions = vec![[0.0; 3]];
