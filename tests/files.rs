@@ -266,6 +266,14 @@ fn a_hostile_header_costs_nothing() {
 }
 
 #[test]
+fn an_obj_statement_continued_a_million_times_is_joined_in_linear_time() {
+    let continued = "\\\n".repeat(1_000_000);
+    let triangle = format!("v 0 0 {continued} 0\nv 1 0 0\nv 0 1 0\nf 1 2 3");
+    assert_eq!(read(MeshFormat::Obj, triangle).triangles(), [[0, 1, 2]]);
+    assert_eq!(fails(MeshFormat::Obj, continued), (Reason::Malformed, Some(Element::Line(1))));
+}
+
+#[test]
 fn a_decompression_bomb_is_refused() {
     for format in FORMATS {
         assert_eq!(fails(format, gzip(&vec![b'\n'; 10_000_000])), (Reason::Malformed, None));

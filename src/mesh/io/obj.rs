@@ -58,9 +58,11 @@ fn statements(bytes: &[u8]) -> impl Iterator<Item = (Line<'_>, Cow<'_, [u8]>)> {
     std::iter::from_fn(move || {
         let line = lines.next()?;
         let mut statement = Cow::Borrowed(line.content());
-        while let Some(head) = statement.strip_suffix(b"\\") {
-            let rest = lines.next().map_or(&b""[..], |line| line.content());
-            statement = Cow::Owned([head, rest].join(&b' '));
+        while statement.ends_with(b"\\") {
+            let joined = statement.to_mut();
+            joined.pop();
+            joined.push(b' ');
+            joined.extend(lines.next().map_or(&b""[..], |line| line.content()));
         }
         Some((line, statement))
     })
