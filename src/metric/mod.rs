@@ -1,6 +1,68 @@
-//! Lengths on a mesh, in units that make them about 1.
+//! Lengths on a mesh, in units that make them about 1: everything after this needs only edge lengths.
+//!
+//! [`Metric`] holds triangles and their edge lengths, [`mollify`] makes every triangle proper, [`delaunay`] flips edges
+//! until the triangulation is intrinsically Delaunay, [`stats`] describes the edges of the input.
+
+pub(crate) mod delaunay;
+pub(crate) mod mollify;
+pub(crate) mod stats;
 
 use crate::mesh::Mesh;
+
+/// Triangles and the lengths of their edges, in units: no positions.
+///
+/// Half-edge 3f + k runs from corner k of triangle f to its next corner and is `lengths[f][k]` long. Corners name
+/// vertices of the mesh; after edge flips a triangle may name one vertex twice, and two vertices may have several edges.
+#[derive(Debug, Clone)]
+pub(crate) struct Metric {
+    /// Vertices of each triangle; the mesh's ignored triangles are left out.
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// Lengths of its three half-edges.
+    pub(crate) lengths: Vec<[f64; 3]>,
+}
+
+impl Metric {
+    /// The mesh as it lies in space.
+    pub(crate) fn of(mesh: &Mesh, scale: Scale) -> Metric {
+        let mut ignored = mesh.ignored_triangles().iter().peekable();
+        let kept = (0..).zip(mesh.triangles()).filter(|(f, _)| ignored.next_if_eq(&f).is_none());
+        let triangles: Vec<[u32; 3]> = kept.map(|(_, triangle)| *triangle).collect();
+        let positions = scale.unit_positions(mesh);
+        let length = |a: u32, b: u32| distance(positions[a as usize], positions[b as usize]);
+        let lengths = triangles.iter().map(|&[a, b, c]| [length(a, b), length(b, c), length(c, a)]).collect();
+        Metric { triangles, lengths }
+    }
+}
+
+/// The distance of two points in units.
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let [x, y, z] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+    (x * x + y * y + z * z).sqrt()
+}
+
+/// The area of a triangle with these edge lengths, by Kahan's arrangement of Heron's formula, which is accurate for
+/// needles too: 4A = √((a + (b + c)) (c - (a - b)) (c + (a - b)) (a + (b - c))) with a ≥ b ≥ c.
+///
+/// NaN where the lengths break the triangle inequality.
+///
+/// W. Kahan: Miscalculating Area and Angles of a Needle-like Triangle. Lecture notes, 2014.
+pub(crate) fn area(lengths: [f64; 3]) -> f64 {
+    let [x, y, z] = lengths;
+    let (a, c) = (x.max(y).max(z), x.min(y).min(z));
+    let b = x.min(y).max(x.max(y).min(z));
+    ((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))).sqrt() / 4.0
+}
+
+/// The cotangent of the angle opposite each edge: (p² + q² - r²) / 4A for the angle between p and q, opposite r.
+pub(crate) fn cotangents(lengths: [f64; 3]) -> [f64; 3] {
+    let four_areas = 4.0 * area(lengths);
+    [0, 1, 2].map(|k| {
+        let (r, p, q) = (lengths[k], lengths[(k + 1) % 3], lengths[(k + 2) % 3]);
+        let (longer, shorter) = (p.max(q), p.min(q));
+        // The difference of squares as a product: at a needle's tip it is the small difference of two large numbers.
+        (shorter * shorter + (longer - r) * (longer + r)) / four_areas
+    })
+}
 
 /// The power of two that brings a mesh to about unit size.
 ///
@@ -34,6 +96,13 @@ impl Scale {
     /// A length or coordinate of the mesh in units.
     pub(crate) fn to_unit(self, length: f64) -> f64 {
         times_power_of_two(length, -self.exponent)
+    }
+
+    /// The position of each vertex in units.
+    pub(crate) fn unit_positions(self, mesh: &Mesh) -> Vec<[f64; 3]> {
+        // A coordinate that overflows is too far out for its neighbours to differ from it: all are clamped to the same.
+        let coordinate = |x: f64| self.to_unit(x).clamp(-f64::MAX, f64::MAX);
+        mesh.positions().iter().map(|position| position.map(coordinate)).collect()
     }
 
     /// A length in units as a length of the mesh.
