@@ -108,7 +108,7 @@ impl Rows<'_, ScalarType> {
         (0..self.count).map(|row| std::array::from_fn(|column| self.scalar(row, column))).collect()
     }
 
-    fn scalar(&self, row: usize, column: usize) -> f64 {
+    pub(crate) fn scalar(&self, row: usize, column: usize) -> f64 {
         match self.kind {
             ScalarType::F32 => f64::from(f32::from_ne_bytes(self.element(row, column))),
             ScalarType::F64 => f64::from_ne_bytes(self.element(row, column)),
