@@ -35,7 +35,7 @@ pub enum Status {
     Internal = 9,
 }
 
-/// What went wrong, finer than [`Status`].
+/// What went wrong, finer than the status.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(i32)]
 #[non_exhaustive]

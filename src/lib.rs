@@ -4,6 +4,8 @@
 mod control;
 mod error;
 mod exact;
+#[cfg(feature = "capi")]
+mod ffi;
 mod heat;
 mod linear;
 mod mesh;

@@ -1,0 +1,928 @@
+/*
+ * taut: geodesic distances on triangle meshes.
+ *
+ * Two methods. Exact: the length of the shortest way over the flat triangles, right to rounding. Heat: an approximation
+ * within about a percent on good meshes, which is prepared once per mesh and then answers each set of sources fast.
+ *
+ *     taut_mesh *mesh = NULL;
+ *     taut_exact *exact = NULL;
+ *     taut_exact_field *field = NULL;
+ *     taut_sources from = { .struct_size = sizeof from, .vertices = { .data = &vertex, .count = 1 } };
+ *
+ *     taut_status status = taut_mesh_new((taut_input){ .data = xyz, .count = vertex_count },         // const double *
+ *                                        (taut_input){ .data = abc, .count = triangle_count }, &mesh); // const uint32_t *
+ *     if (!status) status = taut_exact_new(mesh, &exact);
+ *     if (!status) status = taut_exact_field_new(exact, &from, NULL, NULL, &field);
+ *     if (!status) status = taut_exact_field_distances(field, (taut_output){ .data = d, .count = vertex_count });
+ *     if (status) fprintf(stderr, "%s\n", taut_last_error(NULL));
+ *
+ *     taut_exact_field_free(field);
+ *     taut_exact_free(exact);
+ *     taut_mesh_free(mesh);
+ *
+ * For the heat method: taut_heat_new(mesh, NULL, NULL, &heat), then taut_heat_distances(heat, &from, NULL, output) for
+ * each set of sources, then taut_heat_free(heat). examples/distance.c is a whole program.
+ *
+ * Ownership. A _new call writes a handle through its last parameter; free it once with the _free of the same noun.
+ * Handles may be freed in any order: what was made from a mesh keeps what it needs of it. Buffers and structs that are
+ * passed in stay the caller's; a call reads them while it runs and keeps nothing.
+ *
+ * Errors. Every call that can fail returns a taut_status, 0 on success. On failure a handle that the call should have
+ * made is NULL and no output is written. taut_last_error() then tells what went wrong, and with which vertex, face or
+ * source. Calls that return a plain value return 0 on failure. No call ends the process or prints, but for two cases:
+ * a lack of memory ends it, and a defect of the library (TAUT_STATUS_INTERNAL) leaves a note on standard error.
+ *
+ * NULL. A pointer may be NULL only where its description says so; elsewhere NULL is an error, not a crash. Freeing NULL
+ * is fine. A buffer of 0 rows may have data NULL.
+ *
+ * Threads. Handles never change once they are made: any number of threads may use one at once, and results do not
+ * depend on it. Only freeing needs care: no other call may be using the handle. Calls start no threads and call no
+ * functions of yours.
+ *
+ * Units. Coordinates, distances and start distances are in mesh units, a time step in mesh units squared, progress is
+ * in [0, 1]. Indices count from 0.
+ *
+ * Zero is the default. A field that is 0 asks for the default, so clear a struct and set what you need: in C by
+ * designated initialisers, in C++ by `taut_sources from = {};`. The enums of parameters are integers whose values start
+ * at 1; a value that the library does not know is an error.
+ *
+ * Versions. A struct that starts with struct_size grows at its end only: set it to sizeof the struct. A program that was
+ * compiled with an older or newer header keeps working; setting a field that the running library does not know is an
+ * error. Values of enums are never reused. Before version 1.0 a minor version, after it a major version, may break the
+ * interface; then TAUT_ABI and the library's soname change.
+ */
+
+
+#ifndef TAUT_H
+#define TAUT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/** Version of this header; taut_version() tells that of the library. */
+#define TAUT_VERSION_MAJOR 0
+#define TAUT_VERSION_MINOR 1
+#define TAUT_VERSION_PATCH 0
+
+/** The binary interface of this header; taut_abi() tells that of the library. */
+#define TAUT_ABI (TAUT_VERSION_MAJOR > 0 ? TAUT_VERSION_MAJOR * 65536 : TAUT_VERSION_MINOR)
+
+
+/**
+ * Coarse classes of failure; they map one to one to exceptions in bindings and to `taut_status` in C.
+ */
+enum taut_status
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * No failure.
+     */
+    TAUT_STATUS_OK = 0,
+    /**
+     * A parameter is outside its documented range.
+     */
+    TAUT_STATUS_INVALID_ARGUMENT = 1,
+    /**
+     * The mesh cannot be used: a bad index or coordinate.
+     */
+    TAUT_STATUS_INVALID_MESH = 2,
+    /**
+     * A file could not be opened, read or written.
+     */
+    TAUT_STATUS_IO = 3,
+    /**
+     * A file's content is not what its format asks for.
+     */
+    TAUT_STATUS_FORMAT = 4,
+    /**
+     * A valid request that this build or version does not serve.
+     */
+    TAUT_STATUS_UNSUPPORTED = 5,
+    /**
+     * The computation broke down numerically.
+     */
+    TAUT_STATUS_NUMERIC = 6,
+    /**
+     * The caller cancelled the work.
+     */
+    TAUT_STATUS_CANCELLED = 7,
+    /**
+     * A size exceeds what the library can address or allocate.
+     */
+    TAUT_STATUS_TOO_LARGE = 8,
+    /**
+     * A defect of the library; please report it.
+     */
+    TAUT_STATUS_INTERNAL = 9,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum taut_status taut_status;
+#else
+typedef int32_t taut_status;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What went wrong, finer than the status.
+ */
+enum taut_reason
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * A required pointer was NULL.
+     */
+    TAUT_REASON_NULL_POINTER = 1,
+    /**
+     * An argument has a value that its documentation excludes.
+     */
+    TAUT_REASON_BAD_ARGUMENT = 2,
+    /**
+     * No source was given.
+     */
+    TAUT_REASON_NO_SOURCE = 3,
+    /**
+     * A source or target names a vertex that the mesh does not have.
+     */
+    TAUT_REASON_VERTEX_OUT_OF_RANGE = 4,
+    /**
+     * A buffer is too small for its count and stride.
+     */
+    TAUT_REASON_BUFFER_TOO_SMALL = 5,
+    /**
+     * The time step t is not positive and finite.
+     */
+    TAUT_REASON_BAD_TIME_STEP = 6,
+    /**
+     * With pure Dirichlet conditions a source lies on the boundary.
+     */
+    TAUT_REASON_SOURCE_ON_BOUNDARY = 7,
+    /**
+     * A face names a vertex that the mesh does not have.
+     */
+    TAUT_REASON_INDEX_OUT_OF_RANGE = 20,
+    /**
+     * A vertex that a face uses has a coordinate that is NaN or infinite.
+     */
+    TAUT_REASON_NON_FINITE_COORDINATE = 21,
+    /**
+     * Polygon offsets do not start at 0, decrease, or do not end at the corner count.
+     */
+    TAUT_REASON_BAD_OFFSETS = 22,
+    /**
+     * A face has fewer than three corners.
+     */
+    TAUT_REASON_FACE_TOO_SMALL = 23,
+    /**
+     * The file could not be opened, read or written.
+     */
+    TAUT_REASON_IO = 40,
+    /**
+     * The file's content does not follow its format.
+     */
+    TAUT_REASON_MALFORMED = 41,
+    /**
+     * The file ends before its content does.
+     */
+    TAUT_REASON_TRUNCATED = 42,
+    /**
+     * The file's format is not one that the library reads.
+     */
+    TAUT_REASON_UNKNOWN_FORMAT = 43,
+    /**
+     * This build lacks the requested feature.
+     */
+    TAUT_REASON_MISSING_FEATURE = 50,
+    /**
+     * A factorisation met a pivot that is not positive.
+     */
+    TAUT_REASON_NOT_POSITIVE_DEFINITE = 60,
+    /**
+     * The caller cancelled.
+     */
+    TAUT_REASON_CANCELLED = 70,
+    /**
+     * More vertices, faces or half-edges than 32-bit indices address.
+     */
+    TAUT_REASON_TOO_MANY_ELEMENTS = 80,
+    /**
+     * An allocation failed.
+     */
+    TAUT_REASON_OUT_OF_MEMORY = 81,
+    /**
+     * A panic was caught at the C border.
+     */
+    TAUT_REASON_PANIC = 90,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum taut_reason taut_reason;
+#else
+typedef int32_t taut_reason;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What kind of element an error is about.
+ */
+enum taut_element
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * No single element.
+     */
+    TAUT_ELEMENT_NONE = 0,
+    /**
+     * A vertex of the mesh.
+     */
+    TAUT_ELEMENT_VERTEX = 1,
+    /**
+     * A face of the input.
+     */
+    TAUT_ELEMENT_FACE = 2,
+    /**
+     * A row of the sources.
+     */
+    TAUT_ELEMENT_SOURCE = 3,
+    /**
+     * A row of the targets.
+     */
+    TAUT_ELEMENT_TARGET = 4,
+    /**
+     * A line of a text file, counted from 1.
+     */
+    TAUT_ELEMENT_LINE = 5,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum taut_element taut_element;
+#else
+typedef int32_t taut_element;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * Watches and cancels one long call from any thread.
+ */
+typedef struct taut_control taut_control;
+
+/**
+ * A mesh prepared for exact distances. Serves any number of calls.
+ */
+typedef struct taut_exact taut_exact;
+
+/**
+ * The exact distances from one set of sources.
+ */
+typedef struct taut_exact_field taut_exact_field;
+
+/**
+ * The heat method prepared for one mesh and one time step: operators and their factors. Serves any number of calls.
+ */
+typedef struct taut_heat taut_heat;
+
+/**
+ * A mesh, checked once and then immutable: any soup of triangles. Vertex v of the mesh is vertex v of its input.
+ */
+typedef struct taut_mesh taut_mesh;
+
+/**
+ * The last failure in detail.
+ */
+typedef struct {
+    /**
+     * `sizeof(taut_error)`, set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * What the failing call returned.
+     */
+    taut_status status;
+    /**
+     * What went wrong, finer than the status.
+     */
+    taut_reason reason;
+    /**
+     * What kind of element is at fault.
+     */
+    taut_element element;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * Which one: counted from 0, a line from 1; 0 where `element` is `TAUT_ELEMENT_NONE`.
+     */
+    uint64_t index;
+} taut_error;
+
+/**
+ * Element type of a buffer; 0 means `double` where real numbers are asked for and `uint32_t` where indices are.
+ */
+typedef uint32_t taut_type;
+
+/**
+ * A buffer that a call reads: `count` rows, `stride` bytes apart, of as many elements as the parameter says.
+ *
+ * A plain `const double *xyz` with n vertices is `{ .data = xyz, .count = n }`; a numpy array is its data, shape,
+ * stride and type. Alignment does not matter, and nothing of the buffer is kept after the call.
+ */
+typedef struct {
+    /**
+     * The first row; may be NULL if `count` is 0.
+     */
+    const void *data;
+    /**
+     * How many rows there are.
+     */
+    size_t count;
+    /**
+     * Bytes from one row to the next; 0 means that rows follow each other without a gap.
+     */
+    size_t stride;
+    /**
+     * Type of an element; 0 means `double` or `uint32_t`.
+     */
+    taut_type type;
+} taut_input;
+
+/**
+ * A buffer that a call fills, laid out like `taut_input`.
+ *
+ * A call fills all the rows it has or, on failure, none. Bytes between rows are left alone. The rows must not overlap.
+ */
+typedef struct {
+    /**
+     * The first row; may be NULL if `count` is 0.
+     */
+    void *data;
+    /**
+     * How many rows there is room for; more than needed is fine, the rest is left alone.
+     */
+    size_t count;
+    /**
+     * Bytes from one row to the next; 0 means that rows follow each other without a gap.
+     */
+    size_t stride;
+    /**
+     * Type of an element; 0 means `double` or `uint32_t`. A `float` receives the nearest value.
+     */
+    taut_type type;
+} taut_output;
+
+/**
+ * A formula for the time step t, from the edge lengths: their mean e and standard deviation s. 0 means
+ * `TAUT_TIME_FORMULA_MEAN_EDGE`.
+ */
+typedef uint32_t taut_time_formula;
+
+/**
+ * The size that the mesh is brought to before a formula is evaluated, which matters because most add lengths to areas.
+ * t itself is always in mesh units squared. 0 means `TAUT_TIME_SCALE_PAPER`.
+ */
+typedef uint32_t taut_time_scale;
+
+/**
+ * The time step t of the heat flow: a formula times a factor, or a value. All zero is the default.
+ */
+typedef struct {
+    /**
+     * The formula; must be 0 if `value` is set.
+     */
+    taut_time_formula formula;
+    /**
+     * Its scale; must be 0 if `value` is set.
+     */
+    taut_time_scale scale;
+    /**
+     * Multiplies what the formula gives, positive; 0 means 1. Must be 0 if `value` is set.
+     */
+    double factor;
+    /**
+     * t itself in mesh units squared, positive; 0 means to use the formula.
+     */
+    double value;
+} taut_time_step;
+
+/**
+ * Which Laplacian diffuses the heat. 0 means `TAUT_LAPLACIAN_INTRINSIC`.
+ */
+typedef uint32_t taut_laplacian;
+
+/**
+ * How the distances get their zero. 0 means `TAUT_SHIFT_PINNED`.
+ */
+typedef uint32_t taut_shift;
+
+/**
+ * Which code factors the sparse matrices. 0 means `TAUT_SOLVER_FAER`.
+ */
+typedef uint32_t taut_solver;
+
+/**
+ * Options of `taut_heat_new`. All zero but the size is the default.
+ */
+typedef struct {
+    /**
+     * `sizeof(taut_heat_options)`.
+     */
+    size_t struct_size;
+    /**
+     * The time step.
+     */
+    taut_time_step time_step;
+    /**
+     * Heat at the mesh's boundary: from 0, no flow across (Neumann), to 1, kept at zero (Dirichlet).
+     */
+    double boundary;
+    /**
+     * The Laplacian.
+     */
+    taut_laplacian laplacian;
+    /**
+     * The zero of the distances.
+     */
+    taut_shift shift;
+    /**
+     * The solver.
+     */
+    taut_solver solver;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} taut_heat_options;
+
+/**
+ * Where distances are measured from: one or more vertices, each at its own start distance.
+ *
+ * Later versions append fields for points inside triangles.
+ */
+typedef struct {
+    /**
+     * `sizeof(taut_sources)`.
+     */
+    size_t struct_size;
+    /**
+     * Rows of one vertex index.
+     */
+    taut_input vertices;
+    /**
+     * Rows of one real number, the start distance of each vertex in mesh units: finite, of any sign. As many as there
+     * are vertices, or none, which means 0 for all.
+     */
+    taut_input offsets;
+} taut_sources;
+
+/**
+ * Options of `taut_exact_field_new`. All zero but the size is the default.
+ */
+typedef struct {
+    /**
+     * `sizeof(taut_exact_options)`.
+     */
+    size_t struct_size;
+    /**
+     * Rows of one vertex index: the vertices whose distances are wanted; the work stops when all of these are final.
+     * None means every vertex.
+     */
+    taut_input targets;
+} taut_exact_options;
+
+/**
+ * `float`.
+ */
+#define TAUT_TYPE_F32 1
+
+/**
+ * `double`.
+ */
+#define TAUT_TYPE_F64 2
+
+/**
+ * `uint16_t`.
+ */
+#define TAUT_TYPE_U16 3
+
+/**
+ * `uint32_t`.
+ */
+#define TAUT_TYPE_U32 4
+
+/**
+ * `uint64_t`.
+ */
+#define TAUT_TYPE_U64 5
+
+/**
+ * `int32_t`; a negative index is an error.
+ */
+#define TAUT_TYPE_I32 6
+
+/**
+ * `int64_t`; a negative index is an error.
+ */
+#define TAUT_TYPE_I64 7
+
+/**
+ * t = e².
+ */
+#define TAUT_TIME_FORMULA_MEAN_EDGE 1
+
+/**
+ * t = s.
+ */
+#define TAUT_TIME_FORMULA_SIGMA 2
+
+/**
+ * t = (e² + s) / 2.
+ */
+#define TAUT_TIME_FORMULA_MEAN_SIGMA 3
+
+/**
+ * t = 1.01204 s - 0.0001.
+ */
+#define TAUT_TIME_FORMULA_MEDIAN_FIT 4
+
+/**
+ * t = (e² + 1.01204 s - 0.0001) / 2.
+ */
+#define TAUT_TIME_FORMULA_MEDIAN_MEAN 5
+
+/**
+ * The size that the formulas were fitted at.
+ */
+#define TAUT_TIME_SCALE_PAPER 1
+
+/**
+ * The mesh's own units.
+ */
+#define TAUT_TIME_SCALE_RAW 2
+
+/**
+ * Cotangents of the intrinsic Delaunay triangulation: the same surface with better triangles.
+ */
+#define TAUT_LAPLACIAN_INTRINSIC 1
+
+/**
+ * Cotangents of the mesh's own triangles.
+ */
+#define TAUT_LAPLACIAN_PLAIN 2
+
+/**
+ * Each source has exactly its start distance.
+ */
+#define TAUT_SHIFT_PINNED 1
+
+/**
+ * The least distance of each component is moved to the least start distance.
+ */
+#define TAUT_SHIFT_MIN 2
+
+/**
+ * faer.
+ */
+#define TAUT_SOLVER_FAER 1
+
+/**
+ * sprs-ldl; only where the library was built with it, else TAUT_REASON_MISSING_FEATURE.
+ */
+#define TAUT_SOLVER_LDL 2
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/**
+ * Tells the version of the library that runs, for example "0.1.0".
+ *
+ * Returns a string that is valid for ever. Errors: none. Cost: O(1). Threads: any.
+ */
+const char *taut_version(void);
+
+/**
+ * Tells the binary interface of the library that runs; a plug-in that loads it by hand compares it to `TAUT_ABI`.
+ *
+ * Returns the `TAUT_ABI` that the library was built with. Errors: none. Cost: O(1). Threads: any.
+ */
+uint32_t taut_abi(void);
+
+/**
+ * Names a status, for example "invalid mesh".
+ *
+ * - `status`: any number, so that a status of a newer library is fine.
+ *
+ * Returns a string that is valid for ever; "unknown" for a number that is no status. Errors: none. Cost: O(1).
+ * Threads: any.
+ */
+const char *taut_status_name(int32_t status);
+
+/**
+ * Tells what the last failed call on this thread ran into.
+ *
+ * Success never clears it, so look here only after a call has failed.
+ *
+ * - `detail`: NULL, or receives the failure in detail; set `struct_size` before the call. All zero but the size if no
+ *   call has failed on this thread.
+ *
+ * Returns the message for people, UTF-8, in English, naming the parameter and the element; "" if no call has failed.
+ * It stays valid until the next failure on this thread or the thread's end.
+ *
+ * Errors: none. Cost: O(1). Threads: any; each has its own last failure.
+ */
+const char *taut_last_error(taut_error *detail);
+
+/**
+ * Makes a control, at progress 0 and not cancelled. Use a new one for each call.
+ *
+ * - `out`: receives the control; free it with `taut_control_free` once the call that uses it has returned.
+ *
+ * Errors: `out` is NULL. Cost: O(1). Threads: any.
+ */
+taut_status taut_control_new(taut_control **out);
+
+/**
+ * Asks the call that uses the control to stop: at its next check it returns `TAUT_STATUS_CANCELLED` and writes nothing.
+ *
+ * - `control`: not NULL.
+ *
+ * A call that starts with a cancelled control stops at once; one that has just ended is not undone.
+ *
+ * Cost: O(1). Threads: any.
+ */
+void taut_control_cancel(const taut_control *control);
+
+/**
+ * Tells whether `taut_control_cancel` was called.
+ *
+ * - `control`: not NULL.
+ *
+ * Returns false if `control` is NULL. Cost: O(1). Threads: any.
+ */
+bool taut_control_is_cancelled(const taut_control *control);
+
+/**
+ * Tells the share of the work that is done, in [0, 1].
+ *
+ * - `control`: not NULL.
+ *
+ * Returns 0 if `control` is NULL. Cost: O(1). Threads: any.
+ */
+double taut_control_progress(const taut_control *control);
+
+/**
+ * Frees a control; NULL is fine.
+ */
+void taut_control_free(taut_control *control);
+
+/**
+ * Makes a mesh of triangles.
+ *
+ * - `positions`: rows of three real numbers, the vertices in mesh units. A vertex that a triangle uses must be finite.
+ * - `triangles`: rows of three vertex indices, each less than the number of vertices. A triangle that repeats an index
+ *   is kept but ignored: nothing travels over it.
+ * - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
+ *
+ * Errors: TAUT_REASON_INDEX_OUT_OF_RANGE names the face, TAUT_REASON_NON_FINITE_COORDINATE the vertex;
+ * TAUT_REASON_TOO_MANY_ELEMENTS where the vertices or the 3 F corners exceed 32-bit indices. Cost: O(V + F) time and
+ * memory. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_mesh_new(taut_input positions, taut_input triangles, taut_mesh **out);
+
+/**
+ * Makes a mesh of polygons; each becomes a fan of triangles from its first corner.
+ *
+ * - `positions`: as for `taut_mesh_new`.
+ * - `offsets`: rows of one index, one more than there are faces, or none at all. Face f has the corners from offsets[f]
+ *   up to, not including, offsets[f + 1]: at least three. The first is 0, the last the number of corners.
+ * - `corners`: rows of one vertex index, the corners of all faces one after another.
+ * - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
+ *
+ * Errors: as for `taut_mesh_new`; TAUT_REASON_BAD_OFFSETS and TAUT_REASON_FACE_TOO_SMALL name the face. Cost: O(V + F)
+ * time and memory. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_mesh_new_polygons(taut_input positions, taut_input offsets, taut_input corners, taut_mesh **out);
+
+/**
+ * Reads a mesh file: OBJ, OFF or PLY, each also compressed (.gz).
+ *
+ * - `path`: not NULL, UTF-8, ended by a zero byte.
+ * - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
+ *
+ * Errors: TAUT_STATUS_IO where the file cannot be read, TAUT_STATUS_FORMAT where its content is wrong, naming the line
+ * in a text file; else as for `taut_mesh_new_polygons`. Cost: linear in the file. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_mesh_read(const char *path, taut_mesh **out);
+
+/**
+ * Tells how many vertices the mesh has, those that no triangle uses included.
+ *
+ * - `mesh`: not NULL.
+ *
+ * Returns 0 if `mesh` is NULL. Cost: O(1). Threads: any.
+ */
+size_t taut_mesh_vertex_count(const taut_mesh *mesh);
+
+/**
+ * Tells how many triangles the mesh has, ignored ones included; a polygon of n corners counts n - 2.
+ *
+ * - `mesh`: not NULL.
+ *
+ * Returns 0 if `mesh` is NULL. Cost: O(1). Threads: any.
+ */
+size_t taut_mesh_triangle_count(const taut_mesh *mesh);
+
+/**
+ * Tells how many triangles are ignored because they repeat a vertex index.
+ *
+ * - `mesh`: not NULL.
+ *
+ * Returns 0 if `mesh` is NULL. Cost: O(1). Threads: any.
+ */
+size_t taut_mesh_ignored_count(const taut_mesh *mesh);
+
+/**
+ * Copies the vertex positions out.
+ *
+ * - `mesh`: not NULL.
+ * - `out`: rows of three real numbers, at least as many as there are vertices; mesh units.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: O(V). Threads: any. Cannot be cancelled.
+ */
+taut_status taut_mesh_positions(const taut_mesh *mesh, taut_output out);
+
+/**
+ * Copies the triangles out.
+ *
+ * - `mesh`: not NULL.
+ * - `out`: rows of three vertex indices, at least as many as there are triangles.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where an index exceeds the type. Cost: O(F).
+ * Threads: any. Cannot be cancelled.
+ */
+taut_status taut_mesh_triangles(const taut_mesh *mesh, taut_output out);
+
+/**
+ * Copies the numbers of the ignored triangles out, ascending.
+ *
+ * - `mesh`: not NULL.
+ * - `out`: rows of one index, at least `taut_mesh_ignored_count` of them.
+ *
+ * Errors: as for `taut_mesh_triangles`. Cost: linear in their number. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_mesh_ignored_triangles(const taut_mesh *mesh, taut_output out);
+
+/**
+ * Frees a mesh; NULL is fine. What was made from it stays valid.
+ */
+void taut_mesh_free(taut_mesh *mesh);
+
+/**
+ * Prepares the heat method for a mesh.
+ *
+ * - `mesh`: not NULL; it may be freed afterwards.
+ * - `options`: NULL means the default.
+ * - `control`: progress and cancellation, or NULL.
+ * - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_MISSING_FEATURE,
+ * TAUT_REASON_NOT_POSITIVE_DEFINITE, TAUT_REASON_CANCELLED. Cost: two sparse Cholesky factorisations, about O(V^1.5)
+ * time and O(V log V) memory. Threads: any. Cancelled before each factorisation, not inside one.
+ */
+taut_status taut_heat_new(const taut_mesh *mesh,
+                          const taut_heat_options *options,
+                          const taut_control *control,
+                          taut_heat **out);
+
+/**
+ * Prepares the heat method for another time step, sharing everything that does not depend on it.
+ *
+ * - `heat`: not NULL; it stays as it is and may be freed before the new one.
+ * - `time_step`: all zero means the default, not that of `heat`.
+ * - `control`: progress and cancellation, or NULL.
+ * - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_NOT_POSITIVE_DEFINITE,
+ * TAUT_REASON_CANCELLED. Cost: one numeric factorisation, a fraction of `taut_heat_new`. Threads: any. Cancelled before
+ * the factorisation, not inside it.
+ */
+taut_status taut_heat_with_time_step(const taut_heat *heat,
+                                     taut_time_step time_step,
+                                     const taut_control *control,
+                                     taut_heat **out);
+
+/**
+ * Tells the time step t in mesh units squared.
+ *
+ * - `heat`: not NULL.
+ *
+ * Returns 0 if `heat` is NULL. Cost: O(1). Threads: any.
+ */
+double taut_heat_time_step(const taut_heat *heat);
+
+/**
+ * Computes the distance of every vertex by the heat method: approximate, smooth, fast for many calls.
+ *
+ * - `heat`: not NULL.
+ * - `sources`: where to measure from; not NULL, at least one.
+ * - `control`: progress and cancellation, or NULL.
+ * - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
+ *   reaches.
+ *
+ * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE and TAUT_REASON_SOURCE_ON_BOUNDARY name the source;
+ * TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED. Cost: a few sparse triangular solves, about O(V log V). Threads:
+ * any, also on one `heat` at once. Cancelled between the solves.
+ */
+taut_status taut_heat_distances(const taut_heat *heat,
+                                const taut_sources *sources,
+                                const taut_control *control,
+                                taut_output out);
+
+/**
+ * Frees a prepared heat method; NULL is fine.
+ */
+void taut_heat_free(taut_heat *heat);
+
+/**
+ * Tells the time step t that a mesh gets, without preparing anything.
+ *
+ * - `mesh`: not NULL.
+ * - `time_step`: all zero means the default.
+ * - `out`: not NULL; receives t in mesh units squared.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT; TAUT_REASON_BAD_TIME_STEP where t is not positive and finite. Cost: O(F). Threads:
+ * any. Cannot be cancelled.
+ */
+taut_status taut_time_step_value(const taut_mesh *mesh, taut_time_step time_step, double *out);
+
+/**
+ * Prepares a mesh for exact distances.
+ *
+ * - `mesh`: not NULL; it may be freed afterwards.
+ * - `out`: receives the prepared mesh, to be freed with `taut_exact_free`; NULL on failure.
+ *
+ * Errors: `mesh` or `out` is NULL. Cost: O(V + F) time and memory. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_exact_new(const taut_mesh *mesh, taut_exact **out);
+
+/**
+ * Frees a prepared mesh; NULL is fine. Fields made from it stay valid.
+ */
+void taut_exact_free(taut_exact *exact);
+
+/**
+ * Computes the exact distances from a set of sources.
+ *
+ * - `exact`: not NULL.
+ * - `sources`: where to measure from; not NULL, at least one.
+ * - `options`: NULL means the default.
+ * - `control`: progress and cancellation, or NULL.
+ * - `out`: receives the field, to be freed with `taut_exact_field_free`; NULL on failure.
+ *
+ * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE names the source or target; TAUT_REASON_CANCELLED.
+ * Cost: O(F²) time at worst, on scanned surfaces nearer to O(F^1.5). Threads: any, also on one `exact` at once.
+ * Cancelled within some thousand steps of the propagation.
+ */
+taut_status taut_exact_field_new(const taut_exact *exact,
+                                 const taut_sources *sources,
+                                 const taut_exact_options *options,
+                                 const taut_control *control,
+                                 taut_exact_field **out);
+
+/**
+ * Copies the distances out.
+ *
+ * - `field`: not NULL.
+ * - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
+ *   reaches, and beyond `taut_exact_field_final_radius`.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: O(V). Threads: any. Cannot be cancelled.
+ */
+taut_status taut_exact_field_distances(const taut_exact_field *field, taut_output out);
+
+/**
+ * Tells up to which distance the field is complete: +INFINITY unless the work stopped at its targets.
+ *
+ * - `field`: not NULL.
+ *
+ * Returns 0 if `field` is NULL. Cost: O(1). Threads: any.
+ */
+double taut_exact_field_final_radius(const taut_exact_field *field);
+
+/**
+ * Frees a field; NULL is fine.
+ */
+void taut_exact_field_free(taut_exact_field *field);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* TAUT_H */

@@ -1,0 +1,109 @@
+//! `taut_exact` and `taut_exact_field`: exact distances.
+
+use super::control::taut_control;
+use super::guard::{control_or_new, free, guard, guard_new, guard_value, required};
+use super::mesh::taut_mesh;
+use super::types::{SizedStruct, read_sized, sources, taut_input, taut_output, taut_sources, vertices};
+use crate::{Element, ExactField, ExactOptions, ExactSolver, Status};
+
+/// A mesh prepared for exact distances. Serves any number of calls.
+pub struct taut_exact(ExactSolver);
+
+/// The exact distances from one set of sources.
+pub struct taut_exact_field(ExactField);
+
+/// Options of `taut_exact_field_new`. All zero but the size is the default.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct taut_exact_options {
+    /// `sizeof(taut_exact_options)`.
+    pub struct_size: usize,
+    /// Rows of one vertex index: the vertices whose distances are wanted; the work stops when all of these are final.
+    /// None means every vertex.
+    pub targets: taut_input,
+}
+
+// SAFETY: repr(C), starts with its size, and views, which end without a field's place: any bytes are valid.
+unsafe impl SizedStruct for taut_exact_options {}
+
+/// Prepares a mesh for exact distances.
+///
+/// - `mesh`: not NULL; it may be freed afterwards.
+/// - `out`: receives the prepared mesh, to be freed with `taut_exact_free`; NULL on failure.
+///
+/// Errors: `mesh` or `out` is NULL. Cost: O(V + F) time and memory. Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_exact_new(mesh: Option<&taut_mesh>, out: *mut *mut taut_exact) -> Status {
+    // SAFETY: the header asks for a writable `out`.
+    unsafe { guard_new(out, || Ok(taut_exact(ExactSolver::new(&required(mesh, "mesh")?.0)?))) }
+}
+
+/// Frees a prepared mesh; NULL is fine. Fields made from it stay valid.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_exact_free(exact: Option<Box<taut_exact>>) {
+    free(exact);
+}
+
+/// Computes the exact distances from a set of sources.
+///
+/// - `exact`: not NULL.
+/// - `sources`: where to measure from; not NULL, at least one.
+/// - `options`: NULL means the default.
+/// - `control`: progress and cancellation, or NULL.
+/// - `out`: receives the field, to be freed with `taut_exact_field_free`; NULL on failure.
+///
+/// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE names the source or target; TAUT_REASON_CANCELLED.
+/// Cost: O(F²) time at worst, on scanned surfaces nearer to O(F^1.5). Threads: any, also on one `exact` at once.
+/// Cancelled within some thousand steps of the propagation.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_exact_field_new(
+    exact: Option<&taut_exact>,
+    sources: *const taut_sources,
+    options: *const taut_exact_options,
+    control: Option<&taut_control>,
+    out: *mut *mut taut_exact_field,
+) -> Status {
+    let body = || {
+        let exact = required(exact, "exact")?;
+        // SAFETY: the header asks for structs of the size that they state, and views of readable memory.
+        let (sources, targets) = unsafe {
+            let options = read_sized(options, "options")?;
+            (self::sources(sources)?, vertices(options.targets, "options.targets", Element::Target)?)
+        };
+        Ok(taut_exact_field(exact.0.field(&sources, &ExactOptions { targets }, &control_or_new(control))?))
+    };
+    // SAFETY: the header asks for a writable `out`.
+    unsafe { guard_new(out, body) }
+}
+
+/// Copies the distances out.
+///
+/// - `field`: not NULL.
+/// - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
+///   reaches, and beyond `taut_exact_field_final_radius`.
+///
+/// Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: O(V). Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_exact_field_distances(field: Option<&taut_exact_field>, out: taut_output) -> Status {
+    guard(|| {
+        let distances = required(field, "field")?.0.distances();
+        // SAFETY: the header asks for a view of writable memory.
+        unsafe { out.write_scalars(distances.as_chunks::<1>().0, "out") }
+    })
+}
+
+/// Tells up to which distance the field is complete: +INFINITY unless the work stopped at its targets.
+///
+/// - `field`: not NULL.
+///
+/// Returns 0 if `field` is NULL. Cost: O(1). Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_exact_field_final_radius(field: Option<&taut_exact_field>) -> f64 {
+    guard_value(0.0, || Ok(required(field, "field")?.0.final_radius()))
+}
+
+/// Frees a field; NULL is fine.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_exact_field_free(field: Option<Box<taut_exact_field>>) {
+    free(field);
+}

@@ -1,0 +1,262 @@
+//! `taut_heat`: the heat method.
+
+use super::control::taut_control;
+use super::guard::{control_or_new, free, guard, guard_new, guard_value, null, required};
+use super::mesh::taut_mesh;
+use super::types::{SizedStruct, bad_enum, read_sized, sources, taut_output, taut_sources};
+use crate::{
+    Error, HeatOptions, HeatSolver, Laplacian, Reason, Result, Shift, Solver, Status, TimeFormula, TimeScale, TimeStep,
+};
+
+/// The heat method prepared for one mesh and one time step: operators and their factors. Serves any number of calls.
+pub struct taut_heat(HeatSolver);
+
+/// A formula for the time step t, from the edge lengths: their mean e and standard deviation s. 0 means
+/// `TAUT_TIME_FORMULA_MEAN_EDGE`.
+pub type taut_time_formula = u32;
+/// t = e².
+pub const TAUT_TIME_FORMULA_MEAN_EDGE: taut_time_formula = 1;
+/// t = s.
+pub const TAUT_TIME_FORMULA_SIGMA: taut_time_formula = 2;
+/// t = (e² + s) / 2.
+pub const TAUT_TIME_FORMULA_MEAN_SIGMA: taut_time_formula = 3;
+/// t = 1.01204 s - 0.0001.
+pub const TAUT_TIME_FORMULA_MEDIAN_FIT: taut_time_formula = 4;
+/// t = (e² + 1.01204 s - 0.0001) / 2.
+pub const TAUT_TIME_FORMULA_MEDIAN_MEAN: taut_time_formula = 5;
+
+/// The size that the mesh is brought to before a formula is evaluated, which matters because most add lengths to areas.
+/// t itself is always in mesh units squared. 0 means `TAUT_TIME_SCALE_PAPER`.
+pub type taut_time_scale = u32;
+/// The size that the formulas were fitted at.
+pub const TAUT_TIME_SCALE_PAPER: taut_time_scale = 1;
+/// The mesh's own units.
+pub const TAUT_TIME_SCALE_RAW: taut_time_scale = 2;
+
+/// Which Laplacian diffuses the heat. 0 means `TAUT_LAPLACIAN_INTRINSIC`.
+pub type taut_laplacian = u32;
+/// Cotangents of the intrinsic Delaunay triangulation: the same surface with better triangles.
+pub const TAUT_LAPLACIAN_INTRINSIC: taut_laplacian = 1;
+/// Cotangents of the mesh's own triangles.
+pub const TAUT_LAPLACIAN_PLAIN: taut_laplacian = 2;
+
+/// How the distances get their zero. 0 means `TAUT_SHIFT_PINNED`.
+pub type taut_shift = u32;
+/// Each source has exactly its start distance.
+pub const TAUT_SHIFT_PINNED: taut_shift = 1;
+/// The least distance of each component is moved to the least start distance.
+pub const TAUT_SHIFT_MIN: taut_shift = 2;
+
+/// Which code factors the sparse matrices. 0 means `TAUT_SOLVER_FAER`.
+pub type taut_solver = u32;
+/// faer.
+pub const TAUT_SOLVER_FAER: taut_solver = 1;
+/// sprs-ldl; only where the library was built with it, else TAUT_REASON_MISSING_FEATURE.
+pub const TAUT_SOLVER_LDL: taut_solver = 2;
+
+/// The time step t of the heat flow: a formula times a factor, or a value. All zero is the default.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct taut_time_step {
+    /// The formula; must be 0 if `value` is set.
+    pub formula: taut_time_formula,
+    /// Its scale; must be 0 if `value` is set.
+    pub scale: taut_time_scale,
+    /// Multiplies what the formula gives, positive; 0 means 1. Must be 0 if `value` is set.
+    pub factor: f64,
+    /// t itself in mesh units squared, positive; 0 means to use the formula.
+    pub value: f64,
+}
+
+/// Options of `taut_heat_new`. All zero but the size is the default.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct taut_heat_options {
+    /// `sizeof(taut_heat_options)`.
+    pub struct_size: usize,
+    /// The time step.
+    pub time_step: taut_time_step,
+    /// Heat at the mesh's boundary: from 0, no flow across (Neumann), to 1, kept at zero (Dirichlet).
+    pub boundary: f64,
+    /// The Laplacian.
+    pub laplacian: taut_laplacian,
+    /// The zero of the distances.
+    pub shift: taut_shift,
+    /// The solver.
+    pub solver: taut_solver,
+    /// 0.
+    pub reserved: u32,
+}
+
+// SAFETY: repr(C), starts with its size, integers and floats without padding: any bytes are valid.
+unsafe impl SizedStruct for taut_heat_options {}
+
+/// Prepares the heat method for a mesh.
+///
+/// - `mesh`: not NULL; it may be freed afterwards.
+/// - `options`: NULL means the default.
+/// - `control`: progress and cancellation, or NULL.
+/// - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
+///
+/// Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_MISSING_FEATURE,
+/// TAUT_REASON_NOT_POSITIVE_DEFINITE, TAUT_REASON_CANCELLED. Cost: two sparse Cholesky factorisations, about O(V^1.5)
+/// time and O(V log V) memory. Threads: any. Cancelled before each factorisation, not inside one.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_heat_new(
+    mesh: Option<&taut_mesh>,
+    options: *const taut_heat_options,
+    control: Option<&taut_control>,
+    out: *mut *mut taut_heat,
+) -> Status {
+    let body = || {
+        let mesh = required(mesh, "mesh")?;
+        // SAFETY: the header asks for NULL or a struct of the size that it states.
+        let options = unsafe { read_sized(options, "options")? };
+        Ok(taut_heat(HeatSolver::new(&mesh.0, &heat_options(&options)?, &control_or_new(control))?))
+    };
+    // SAFETY: the header asks for a writable `out`.
+    unsafe { guard_new(out, body) }
+}
+
+/// Prepares the heat method for another time step, sharing everything that does not depend on it.
+///
+/// - `heat`: not NULL; it stays as it is and may be freed before the new one.
+/// - `time_step`: all zero means the default, not that of `heat`.
+/// - `control`: progress and cancellation, or NULL.
+/// - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
+///
+/// Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_NOT_POSITIVE_DEFINITE,
+/// TAUT_REASON_CANCELLED. Cost: one numeric factorisation, a fraction of `taut_heat_new`. Threads: any. Cancelled before
+/// the factorisation, not inside it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_heat_with_time_step(
+    heat: Option<&taut_heat>,
+    time_step: taut_time_step,
+    control: Option<&taut_control>,
+    out: *mut *mut taut_heat,
+) -> Status {
+    let body = || {
+        let heat = required(heat, "heat")?;
+        Ok(taut_heat(heat.0.with_time_step(&time_step_of(&time_step)?, &control_or_new(control))?))
+    };
+    // SAFETY: the header asks for a writable `out`.
+    unsafe { guard_new(out, body) }
+}
+
+/// Tells the time step t in mesh units squared.
+///
+/// - `heat`: not NULL.
+///
+/// Returns 0 if `heat` is NULL. Cost: O(1). Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_heat_time_step(heat: Option<&taut_heat>) -> f64 {
+    guard_value(0.0, || Ok(required(heat, "heat")?.0.time_step()))
+}
+
+/// Computes the distance of every vertex by the heat method: approximate, smooth, fast for many calls.
+///
+/// - `heat`: not NULL.
+/// - `sources`: where to measure from; not NULL, at least one.
+/// - `control`: progress and cancellation, or NULL.
+/// - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
+///   reaches.
+///
+/// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE and TAUT_REASON_SOURCE_ON_BOUNDARY name the source;
+/// TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED. Cost: a few sparse triangular solves, about O(V log V). Threads:
+/// any, also on one `heat` at once. Cancelled between the solves.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_heat_distances(
+    heat: Option<&taut_heat>,
+    sources: *const taut_sources,
+    control: Option<&taut_control>,
+    out: taut_output,
+) -> Status {
+    guard(|| {
+        let heat = required(heat, "heat")?;
+        // SAFETY: the header asks for a struct of the size that it states, and views of readable memory.
+        let sources = unsafe { self::sources(sources)? };
+        let distances = heat.0.distances(&sources, &control_or_new(control))?;
+        // SAFETY: the header asks for a view of writable memory.
+        unsafe { out.write_scalars(distances.as_chunks::<1>().0, "out") }
+    })
+}
+
+/// Frees a prepared heat method; NULL is fine.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_heat_free(heat: Option<Box<taut_heat>>) {
+    free(heat);
+}
+
+/// Tells the time step t that a mesh gets, without preparing anything.
+///
+/// - `mesh`: not NULL.
+/// - `time_step`: all zero means the default.
+/// - `out`: not NULL; receives t in mesh units squared.
+///
+/// Errors: TAUT_REASON_BAD_ARGUMENT; TAUT_REASON_BAD_TIME_STEP where t is not positive and finite. Cost: O(F). Threads:
+/// any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_time_step_value(
+    mesh: Option<&taut_mesh>,
+    time_step: taut_time_step,
+    out: *mut f64,
+) -> Status {
+    guard(|| {
+        let value = time_step_of(&time_step)?.value(&required(mesh, "mesh")?.0)?;
+        if out.is_null() {
+            return Err(null("out"));
+        }
+        // SAFETY: it is not NULL, and the header asks for a writable double.
+        unsafe { out.write(value) };
+        Ok(())
+    })
+}
+
+fn heat_options(options: &taut_heat_options) -> Result<HeatOptions> {
+    let laplacian = match options.laplacian {
+        0 | TAUT_LAPLACIAN_INTRINSIC => Laplacian::Intrinsic,
+        TAUT_LAPLACIAN_PLAIN => Laplacian::Plain,
+        other => return Err(bad_enum("options.laplacian", other)),
+    };
+    let shift = match options.shift {
+        0 | TAUT_SHIFT_PINNED => Shift::Pinned,
+        TAUT_SHIFT_MIN => Shift::Min,
+        other => return Err(bad_enum("options.shift", other)),
+    };
+    let solver = match options.solver {
+        0 | TAUT_SOLVER_FAER => Solver::Faer,
+        TAUT_SOLVER_LDL => Solver::Ldl,
+        other => return Err(bad_enum("options.solver", other)),
+    };
+    if options.reserved != 0 {
+        return Err(bad_enum("options.reserved", options.reserved));
+    }
+    let time_step = time_step_of(&options.time_step)?;
+    Ok(HeatOptions { laplacian, solver, time_step, boundary: options.boundary, shift })
+}
+
+fn time_step_of(step: &taut_time_step) -> Result<TimeStep> {
+    if step.value != 0.0 {
+        return match (step.formula, step.scale, step.factor) {
+            (0, 0, 0.0) => Ok(TimeStep::Value(step.value)),
+            _ => {
+                let message = "`time_step.value` excludes a formula, a scale and a factor";
+                Err(Error::new(Reason::BadArgument, message))
+            }
+        };
+    }
+    let formula = match step.formula {
+        0 | TAUT_TIME_FORMULA_MEAN_EDGE => TimeFormula::MeanEdge,
+        TAUT_TIME_FORMULA_SIGMA => TimeFormula::Sigma,
+        TAUT_TIME_FORMULA_MEAN_SIGMA => TimeFormula::MeanSigma,
+        TAUT_TIME_FORMULA_MEDIAN_FIT => TimeFormula::MedianFit,
+        TAUT_TIME_FORMULA_MEDIAN_MEAN => TimeFormula::MedianMean,
+        other => return Err(bad_enum("time_step.formula", other)),
+    };
+    let scale = match step.scale {
+        0 | TAUT_TIME_SCALE_PAPER => TimeScale::Paper,
+        TAUT_TIME_SCALE_RAW => TimeScale::Raw,
+        other => return Err(bad_enum("time_step.scale", other)),
+    };
+    Ok(TimeStep::Formula { formula, scale, factor: if step.factor == 0.0 { 1.0 } else { step.factor } })
+}

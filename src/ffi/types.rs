@@ -1,0 +1,348 @@
+//! What crosses the border by value: views of the caller's buffers, sources, structs that state their own size.
+
+use super::guard::null;
+use crate::{Element, ElementType, Error, IndexType, Reason, Result, Rows, ScalarType, Source};
+use libc::c_void;
+use std::mem::MaybeUninit;
+
+/// Element type of a buffer; 0 means `double` where real numbers are asked for and `uint32_t` where indices are.
+pub type taut_type = u32;
+/// `float`.
+pub const TAUT_TYPE_F32: taut_type = 1;
+/// `double`.
+pub const TAUT_TYPE_F64: taut_type = 2;
+/// `uint16_t`.
+pub const TAUT_TYPE_U16: taut_type = 3;
+/// `uint32_t`.
+pub const TAUT_TYPE_U32: taut_type = 4;
+/// `uint64_t`.
+pub const TAUT_TYPE_U64: taut_type = 5;
+/// `int32_t`; a negative index is an error.
+pub const TAUT_TYPE_I32: taut_type = 6;
+/// `int64_t`; a negative index is an error.
+pub const TAUT_TYPE_I64: taut_type = 7;
+
+/// A buffer that a call reads: `count` rows, `stride` bytes apart, of as many elements as the parameter says.
+///
+/// A plain `const double *xyz` with n vertices is `{ .data = xyz, .count = n }`; a numpy array is its data, shape,
+/// stride and type. Alignment does not matter, and nothing of the buffer is kept after the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct taut_input {
+    /// The first row; may be NULL if `count` is 0.
+    pub data: *const c_void,
+    /// How many rows there are.
+    pub count: usize,
+    /// Bytes from one row to the next; 0 means that rows follow each other without a gap.
+    pub stride: usize,
+    /// Type of an element; 0 means `double` or `uint32_t`.
+    pub r#type: taut_type,
+}
+
+/// A buffer that a call fills, laid out like `taut_input`.
+///
+/// A call fills all the rows it has or, on failure, none. Bytes between rows are left alone. The rows must not overlap.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct taut_output {
+    /// The first row; may be NULL if `count` is 0.
+    pub data: *mut c_void,
+    /// How many rows there is room for; more than needed is fine, the rest is left alone.
+    pub count: usize,
+    /// Bytes from one row to the next; 0 means that rows follow each other without a gap.
+    pub stride: usize,
+    /// Type of an element; 0 means `double` or `uint32_t`. A `float` receives the nearest value.
+    pub r#type: taut_type,
+}
+
+/// Where distances are measured from: one or more vertices, each at its own start distance.
+///
+/// Later versions append fields for points inside triangles.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct taut_sources {
+    /// `sizeof(taut_sources)`.
+    pub struct_size: usize,
+    /// Rows of one vertex index.
+    pub vertices: taut_input,
+    /// Rows of one real number, the start distance of each vertex in mesh units: finite, of any sign. As many as there
+    /// are vertices, or none, which means 0 for all.
+    pub offsets: taut_input,
+}
+
+// SAFETY: repr(C), starts with its size, all zero is valid, no padding.
+unsafe impl SizedStruct for taut_sources {}
+
+/// A struct that grows at its end from version to version.
+///
+/// # Safety
+/// `repr(C)`; the first field is `struct_size: usize`. One that is read from the caller must be valid for any bytes,
+/// and must end without padding, where a later version's field would find garbage.
+pub(super) unsafe trait SizedStruct: Copy {}
+
+/// A caller's struct; fields that it does not have, and all fields if it is NULL, are zero.
+///
+/// # Safety
+/// `pointer` is NULL or points to as many readable bytes as its first field says.
+pub(super) unsafe fn read_sized<T: SizedStruct>(pointer: *const T, name: &str) -> Result<T> {
+    let mut copy = MaybeUninit::<T>::zeroed();
+    if !pointer.is_null() {
+        let bytes = pointer.cast::<u8>();
+        // SAFETY: the struct has at least its size field.
+        let size = unsafe { bytes.cast::<usize>().read_unaligned() };
+        if size < size_of::<usize>() {
+            let message = format!("`{name}.struct_size` is {size}; set it to sizeof(the struct)");
+            return Err(Error::new(Reason::BadArgument, message));
+        }
+        let known = size.min(size_of::<T>());
+        // SAFETY: the caller promises `size` readable bytes.
+        let unknown = unsafe { std::slice::from_raw_parts(bytes.add(known), size - known) };
+        if unknown.iter().any(|&byte| byte != 0) {
+            let message = format!("`{name}` sets a field that this version of the library does not know");
+            return Err(Error::new(Reason::BadArgument, message));
+        }
+        // SAFETY: both sides have `known` bytes, and a local variable overlaps nothing of the caller's.
+        unsafe { copy.as_mut_ptr().cast::<u8>().copy_from_nonoverlapping(bytes, known) };
+    }
+    // SAFETY: a SizedStruct that is read is valid for any bytes, and all of them are set.
+    Ok(unsafe { copy.assume_init() })
+}
+
+/// Fills the fields that the caller's struct has and this version knows, and zeroes the others but the size.
+///
+/// # Safety
+/// `pointer` is NULL or points to as many writable bytes as its first field says.
+pub(super) unsafe fn write_sized<T: SizedStruct>(pointer: *mut T, value: &T) {
+    // SAFETY: as the caller promises.
+    let size = unsafe { zero_sized(pointer) };
+    let head = size_of::<usize>();
+    if let Some(body) = size.min(size_of::<T>()).checked_sub(head) {
+        let from = std::ptr::from_ref(value).cast::<u8>();
+        // SAFETY: both sides have head + body bytes, and `value` is ours.
+        unsafe { pointer.cast::<u8>().add(head).copy_from_nonoverlapping(from.add(head), body) };
+    }
+}
+
+/// Zeroes everything but the size, which it returns; 0 for NULL.
+///
+/// # Safety
+/// As [`write_sized`].
+pub(super) unsafe fn zero_sized<T: SizedStruct>(pointer: *mut T) -> usize {
+    if pointer.is_null() {
+        return 0;
+    }
+    let head = size_of::<usize>();
+    // SAFETY: the struct has at least its size field.
+    let size = unsafe { pointer.cast::<usize>().read_unaligned() };
+    if let Some(body) = size.checked_sub(head) {
+        // SAFETY: the caller promises `size` writable bytes.
+        unsafe { pointer.cast::<u8>().add(head).write_bytes(0, body) };
+    }
+    size
+}
+
+impl taut_input {
+    /// The rows as real numbers.
+    ///
+    /// # Safety
+    /// The view describes readable memory that nobody writes while the result lives.
+    pub(super) unsafe fn scalars<'a>(self, width: usize, name: &str) -> Result<Rows<'a, ScalarType>> {
+        // SAFETY: as the caller promises.
+        unsafe { self.rows(width, scalar_type(self.r#type, name)?, name) }
+    }
+
+    /// The rows as indices.
+    ///
+    /// # Safety
+    /// As [`taut_input::scalars`].
+    pub(super) unsafe fn indices<'a>(self, width: usize, name: &str) -> Result<Rows<'a, IndexType>> {
+        // SAFETY: as the caller promises.
+        unsafe { self.rows(width, index_type(self.r#type, name)?, name) }
+    }
+
+    /// # Safety
+    /// As [`taut_input::scalars`].
+    unsafe fn rows<'a, T: ElementType>(self, width: usize, kind: T, name: &str) -> Result<Rows<'a, T>> {
+        let layout = Layout::new(self.data, self.count, self.stride, width, kind, name)?;
+        let bytes = match self.count {
+            0 => &[],
+            // SAFETY: the pointer is not NULL, the span does not overflow, and the caller promises readable memory.
+            _ => unsafe { std::slice::from_raw_parts(self.data.cast::<u8>(), layout.span) },
+        };
+        Rows::new(bytes, self.count, width, layout.stride, kind)
+    }
+}
+
+impl taut_output {
+    /// Writes rows of real numbers, all or none.
+    ///
+    /// # Safety
+    /// The view describes writable memory that nobody else uses during the call.
+    pub(super) unsafe fn write_scalars<const WIDTH: usize>(self, rows: &[[f64; WIDTH]], name: &str) -> Result<()> {
+        let kind = scalar_type(self.r#type, name)?;
+        let layout = self.layout::<WIDTH, _>(rows.len(), kind, name)?;
+        // SAFETY: the layout is checked against the view, and the caller promises writable memory.
+        unsafe {
+            match kind {
+                // Rounds to the nearest f32, as documented.
+                ScalarType::F32 => layout.write(self.data, rows, |x: f64| x as f32),
+                ScalarType::F64 => layout.write(self.data, rows, |x: f64| x),
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes rows of indices, all or none.
+    ///
+    /// # Safety
+    /// As [`taut_output::write_scalars`].
+    pub(super) unsafe fn write_indices<const WIDTH: usize>(self, rows: &[[u32; WIDTH]], name: &str) -> Result<()> {
+        let kind = index_type(self.r#type, name)?;
+        let layout = self.layout::<WIDTH, _>(rows.len(), kind, name)?;
+        let largest = rows.iter().flatten().copied().max().unwrap_or(0);
+        let fits = match kind {
+            IndexType::U16 => u16::try_from(largest).is_ok(),
+            IndexType::I32 => i32::try_from(largest).is_ok(),
+            IndexType::U32 | IndexType::U64 | IndexType::I64 => true,
+        };
+        if !fits {
+            let message = format!("`{name}.type` is too small for the index {largest}");
+            return Err(Error::new(Reason::BadArgument, message));
+        }
+        // SAFETY: as in write_scalars. The casts lose nothing: the largest index fits.
+        unsafe {
+            match kind {
+                IndexType::U16 => layout.write(self.data, rows, |i: u32| i as u16),
+                IndexType::U32 => layout.write(self.data, rows, |i: u32| i),
+                IndexType::U64 => layout.write(self.data, rows, u64::from),
+                IndexType::I32 => layout.write(self.data, rows, |i: u32| i as i32),
+                IndexType::I64 => layout.write(self.data, rows, i64::from),
+            }
+        }
+        Ok(())
+    }
+
+    /// The checked layout of `needed` rows in this view.
+    fn layout<const WIDTH: usize, T: ElementType>(self, needed: usize, kind: T, name: &str) -> Result<Layout> {
+        let layout = Layout::new(self.data, self.count, self.stride, WIDTH, kind, name)?;
+        if self.count < needed {
+            let message = format!("`{name}` has room for {} rows, but {needed} are needed", self.count);
+            return Err(Error::new(Reason::BufferTooSmall, message));
+        }
+        if layout.stride < WIDTH * kind.size() {
+            return Err(Error::new(Reason::BadArgument, format!("the rows of `{name}` overlap: its stride is too small")));
+        }
+        Ok(layout)
+    }
+}
+
+/// Where the rows of a view lie.
+struct Layout {
+    /// Bytes from one row to the next.
+    stride: usize,
+    /// Bytes from the first to past the last.
+    span: usize,
+}
+
+impl Layout {
+    fn new<T: ElementType>(
+        data: *const c_void,
+        count: usize,
+        stride: usize,
+        width: usize,
+        kind: T,
+        name: &str,
+    ) -> Result<Layout> {
+        let stride = if stride == 0 { width * kind.size() } else { stride };
+        if data.is_null() && count > 0 {
+            return Err(Error::new(Reason::NullPointer, format!("`{name}.data` is NULL, but its count is {count}")));
+        }
+        let span = Rows::span(count, width, stride, kind)?;
+        if isize::try_from(span).is_err() {
+            return Err(Error::new(Reason::TooManyElements, format!("`{name}` spans more memory than there can be")));
+        }
+        Ok(Layout { stride, span })
+    }
+
+    /// Writes `rows` to `data`, which need not be aligned.
+    ///
+    /// # Safety
+    /// Rows of `WIDTH` elements of type `T` in this layout are writable.
+    unsafe fn write<S: Copy, T, const WIDTH: usize>(
+        &self,
+        data: *mut c_void,
+        rows: &[[S; WIDTH]],
+        convert: impl Fn(S) -> T,
+    ) {
+        for (i, row) in rows.iter().enumerate() {
+            for (k, &element) in row.iter().enumerate() {
+                // SAFETY: element (i, k) lies in the layout's span, which does not overflow.
+                unsafe {
+                    data.cast::<u8>().add(i * self.stride).cast::<T>().add(k).write_unaligned(convert(element));
+                }
+            }
+        }
+    }
+}
+
+fn scalar_type(kind: taut_type, name: &str) -> Result<ScalarType> {
+    match kind {
+        0 | TAUT_TYPE_F64 => Ok(ScalarType::F64),
+        TAUT_TYPE_F32 => Ok(ScalarType::F32),
+        _ => Err(bad_enum(&format!("{name}.type"), kind)),
+    }
+}
+
+fn index_type(kind: taut_type, name: &str) -> Result<IndexType> {
+    match kind {
+        0 | TAUT_TYPE_U32 => Ok(IndexType::U32),
+        TAUT_TYPE_U16 => Ok(IndexType::U16),
+        TAUT_TYPE_U64 => Ok(IndexType::U64),
+        TAUT_TYPE_I32 => Ok(IndexType::I32),
+        TAUT_TYPE_I64 => Ok(IndexType::I64),
+        _ => Err(bad_enum(&format!("{name}.type"), kind)),
+    }
+}
+
+/// The error of an enum parameter or field whose value means nothing there.
+pub(super) fn bad_enum(name: &str, value: u32) -> Error {
+    Error::new(Reason::BadArgument, format!("`{name}` cannot be {value}"))
+}
+
+/// Vertex indices; one that does not fit in 32 bits names its row by `element`.
+///
+/// # Safety
+/// As [`taut_input::scalars`].
+pub(super) unsafe fn vertices(view: taut_input, name: &str, element: fn(u64) -> Element) -> Result<Vec<u32>> {
+    // SAFETY: as the caller promises.
+    let rows = unsafe { view.indices(1, name)? };
+    let vertex = |row: usize| {
+        let message = "is a vertex index that is negative or beyond 32 bits";
+        rows.index(row, 0).ok_or_else(|| Error::at(Reason::VertexOutOfRange, element(row as u64), message))
+    };
+    (0..rows.count()).map(vertex).collect()
+}
+
+/// The caller's sources.
+///
+/// # Safety
+/// `sources` is NULL or points to a struct of the size it states, whose views describe readable memory.
+pub(super) unsafe fn sources(sources: *const taut_sources) -> Result<Vec<Source>> {
+    if sources.is_null() {
+        return Err(null("sources"));
+    }
+    // SAFETY: as the caller promises.
+    let (vertices, offsets) = unsafe {
+        let sources = read_sized(sources, "sources")?;
+        (
+            vertices(sources.vertices, "sources.vertices", Element::Source)?,
+            sources.offsets.scalars(1, "sources.offsets")?,
+        )
+    };
+    if offsets.count() != 0 && offsets.count() != vertices.len() {
+        let message = format!("`sources` has {} vertices, but {} offsets", vertices.len(), offsets.count());
+        return Err(Error::new(Reason::BadArgument, message));
+    }
+    let offset = |row| if offsets.count() == 0 { 0.0 } else { offsets.scalar(row, 0) };
+    Ok(vertices.iter().enumerate().map(|(row, &v)| Source::vertex(v).with_offset(offset(row))).collect())
+}
