@@ -2,15 +2,16 @@
  * taut: geodesic distances on triangle meshes.
  *
  * Two methods. Exact: the length of the shortest way over the flat triangles, right to rounding. Heat: an approximation
- * within about a percent on good meshes, which is prepared once per mesh and then answers each set of sources fast.
+ * within a percent or two on good meshes; it is prepared once per mesh and then answers each set of sources fast.
  *
  *     taut_mesh *mesh = NULL;
  *     taut_exact *exact = NULL;
  *     taut_exact_field *field = NULL;
  *     taut_sources from = { .struct_size = sizeof from, .vertices = { .data = &vertex, .count = 1 } };
  *
- *     taut_status status = taut_mesh_new((taut_input){ .data = xyz, .count = vertex_count },         // const double *
- *                                        (taut_input){ .data = abc, .count = triangle_count }, &mesh); // const uint32_t *
+ *     // const double xyz[3 * vertex_count]; const uint32_t corners[3 * triangle_count]; double d[vertex_count];
+ *     taut_status status = taut_mesh_new((taut_input){ .data = xyz, .count = vertex_count },
+ *                                        (taut_input){ .data = corners, .count = triangle_count }, &mesh);
  *     if (!status) status = taut_exact_new(mesh, &exact);
  *     if (!status) status = taut_exact_field_new(exact, &from, NULL, NULL, &field);
  *     if (!status) status = taut_exact_field_distances(field, (taut_output){ .data = d, .count = vertex_count });
@@ -36,8 +37,8 @@
  * is fine. A buffer of 0 rows may have data NULL.
  *
  * Threads. Handles never change once they are made: any number of threads may use one at once, and results do not
- * depend on it. Only freeing needs care: no other call may be using the handle. Calls start no threads and call no
- * functions of yours.
+ * depend on it. Only freeing needs care: no other call may be using the handle. No thread of the library outlives a
+ * call, and none calls functions of yours.
  *
  * Units. Coordinates, distances and start distances are in mesh units, a time step in mesh units squared, progress is
  * in [0, 1]. Indices count from 0.
@@ -51,7 +52,6 @@
  * error. Values of enums are never reused. Before version 1.0 a minor version, after it a major version, may break the
  * interface; then TAUT_ABI and the library's soname change.
  */
-
 
 #ifndef TAUT_H
 #define TAUT_H
@@ -68,54 +68,31 @@
 /** The binary interface of this header; taut_abi() tells that of the library. */
 #define TAUT_ABI (TAUT_VERSION_MAJOR > 0 ? TAUT_VERSION_MAJOR * 65536 : TAUT_VERSION_MINOR)
 
-
-/**
- * Coarse classes of failure; they map one to one to exceptions in bindings and to `taut_status` in C.
- */
+/** Coarse classes of failure; bindings map them one to one to exceptions. */
 enum taut_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : int32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-    /**
-     * No failure.
-     */
+    /** No failure. */
     TAUT_STATUS_OK = 0,
-    /**
-     * A parameter is outside its documented range.
-     */
+    /** A parameter is outside its documented range. */
     TAUT_STATUS_INVALID_ARGUMENT = 1,
-    /**
-     * The mesh cannot be used: a bad index or coordinate.
-     */
+    /** The mesh cannot be used: a bad index or coordinate. */
     TAUT_STATUS_INVALID_MESH = 2,
-    /**
-     * A file could not be opened, read or written.
-     */
+    /** A file could not be opened, read or written. */
     TAUT_STATUS_IO = 3,
-    /**
-     * A file's content is not what its format asks for.
-     */
+    /** A file's content is not what its format asks for. */
     TAUT_STATUS_FORMAT = 4,
-    /**
-     * A valid request that this build or version does not serve.
-     */
+    /** A valid request that this build or version does not serve. */
     TAUT_STATUS_UNSUPPORTED = 5,
-    /**
-     * The computation broke down numerically.
-     */
+    /** The computation broke down numerically. */
     TAUT_STATUS_NUMERIC = 6,
-    /**
-     * The caller cancelled the work.
-     */
+    /** The caller cancelled the work. */
     TAUT_STATUS_CANCELLED = 7,
-    /**
-     * A size exceeds what the library can address or allocate.
-     */
+    /** A size exceeds what the library can address or allocate. */
     TAUT_STATUS_TOO_LARGE = 8,
-    /**
-     * A defect of the library; please report it.
-     */
+    /** A defect of the library; please report it. */
     TAUT_STATUS_INTERNAL = 9,
 };
 #ifndef __cplusplus
@@ -126,97 +103,53 @@ typedef int32_t taut_status;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-/**
- * What went wrong, finer than the status.
- */
+/** What went wrong, finer than the status. */
 enum taut_reason
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : int32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-    /**
-     * A required pointer was NULL.
-     */
+    /** A required pointer was NULL. */
     TAUT_REASON_NULL_POINTER = 1,
-    /**
-     * An argument has a value that its documentation excludes.
-     */
+    /** An argument has a value that its documentation excludes. */
     TAUT_REASON_BAD_ARGUMENT = 2,
-    /**
-     * No source was given.
-     */
+    /** No source was given. */
     TAUT_REASON_NO_SOURCE = 3,
-    /**
-     * A source or target names a vertex that the mesh does not have.
-     */
+    /** A source or target names a vertex that the mesh does not have. */
     TAUT_REASON_VERTEX_OUT_OF_RANGE = 4,
-    /**
-     * A buffer is too small for its count and stride.
-     */
+    /** A buffer is too small for its count and stride. */
     TAUT_REASON_BUFFER_TOO_SMALL = 5,
-    /**
-     * The time step t is not positive and finite.
-     */
+    /** The time step t is not positive and finite. */
     TAUT_REASON_BAD_TIME_STEP = 6,
-    /**
-     * With pure Dirichlet conditions a source lies on the boundary.
-     */
+    /** With pure Dirichlet conditions a source lies on the boundary. */
     TAUT_REASON_SOURCE_ON_BOUNDARY = 7,
-    /**
-     * A face names a vertex that the mesh does not have.
-     */
+    /** A face names a vertex that the mesh does not have. */
     TAUT_REASON_INDEX_OUT_OF_RANGE = 20,
-    /**
-     * A vertex that a face uses has a coordinate that is NaN or infinite.
-     */
+    /** A vertex that a face uses has a coordinate that is NaN or infinite. */
     TAUT_REASON_NON_FINITE_COORDINATE = 21,
-    /**
-     * Polygon offsets do not start at 0, decrease, or do not end at the corner count.
-     */
+    /** Polygon offsets do not start at 0, decrease, or do not end at the corner count. */
     TAUT_REASON_BAD_OFFSETS = 22,
-    /**
-     * A face has fewer than three corners.
-     */
+    /** A face has fewer than three corners. */
     TAUT_REASON_FACE_TOO_SMALL = 23,
-    /**
-     * The file could not be opened, read or written.
-     */
+    /** The file could not be opened, read or written. */
     TAUT_REASON_IO = 40,
-    /**
-     * The file's content does not follow its format.
-     */
+    /** The file's content does not follow its format. */
     TAUT_REASON_MALFORMED = 41,
-    /**
-     * The file ends before its content does.
-     */
+    /** The file ends before its content does. */
     TAUT_REASON_TRUNCATED = 42,
-    /**
-     * The file's format is not one that the library reads.
-     */
+    /** The file's format is not one that the library reads. */
     TAUT_REASON_UNKNOWN_FORMAT = 43,
-    /**
-     * This build lacks the requested feature.
-     */
+    /** This build lacks the requested feature. */
     TAUT_REASON_MISSING_FEATURE = 50,
-    /**
-     * A factorisation met a pivot that is not positive.
-     */
+    /** A factorisation met a pivot that is not positive. */
     TAUT_REASON_NOT_POSITIVE_DEFINITE = 60,
-    /**
-     * The caller cancelled.
-     */
+    /** The caller cancelled. */
     TAUT_REASON_CANCELLED = 70,
-    /**
-     * More vertices, faces or half-edges than 32-bit indices address.
-     */
+    /** More vertices, faces or half-edges than 32-bit indices address. */
     TAUT_REASON_TOO_MANY_ELEMENTS = 80,
-    /**
-     * An allocation failed.
-     */
+    /** An allocation failed. */
     TAUT_REASON_OUT_OF_MEMORY = 81,
-    /**
-     * A panic was caught at the C border.
-     */
+    /** A panic was caught at the C border. */
     TAUT_REASON_PANIC = 90,
 };
 #ifndef __cplusplus
@@ -227,37 +160,23 @@ typedef int32_t taut_reason;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-/**
- * What kind of element an error is about.
- */
+/** What kind of element an error is about. */
 enum taut_element
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : int32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-    /**
-     * No single element.
-     */
+    /** No single element. */
     TAUT_ELEMENT_NONE = 0,
-    /**
-     * A vertex of the mesh.
-     */
+    /** A vertex of the mesh. */
     TAUT_ELEMENT_VERTEX = 1,
-    /**
-     * A face of the input.
-     */
+    /** A face of the input. */
     TAUT_ELEMENT_FACE = 2,
-    /**
-     * A row of the sources.
-     */
+    /** A row of the sources. */
     TAUT_ELEMENT_SOURCE = 3,
-    /**
-     * A row of the targets.
-     */
+    /** A row of the targets. */
     TAUT_ELEMENT_TARGET = 4,
-    /**
-     * A line of a text file, counted from 1.
-     */
+    /** A line of a text file, counted from 1. */
     TAUT_ELEMENT_LINE = 5,
 };
 #ifndef __cplusplus
@@ -268,65 +187,53 @@ typedef int32_t taut_element;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-/**
- * Watches and cancels one long call from any thread.
- */
+/** Watches and cancels one long call from any thread. */
 typedef struct taut_control taut_control;
 
-/**
- * A mesh prepared for exact distances. Serves any number of calls.
- */
+/** A mesh prepared for exact distances. Serves any number of calls. */
 typedef struct taut_exact taut_exact;
 
-/**
- * The exact distances from one set of sources.
- */
+/** The exact distances from one set of sources. */
 typedef struct taut_exact_field taut_exact_field;
 
-/**
- * The heat method prepared for one mesh and one time step: operators and their factors. Serves any number of calls.
- */
+/** The heat method prepared for one mesh and one time step: operators and their factors. Serves any number of calls. */
 typedef struct taut_heat taut_heat;
 
-/**
- * A mesh, checked once and then immutable: any soup of triangles. Vertex v of the mesh is vertex v of its input.
- */
+/** A mesh, checked once and then immutable: any soup of triangles. Vertex v of the mesh is vertex v of its input. */
 typedef struct taut_mesh taut_mesh;
 
-/**
- * The last failure in detail.
- */
+/** The last failure in detail. */
 typedef struct {
-    /**
-     * `sizeof(taut_error)`, set by the caller.
-     */
+    /** `sizeof(taut_error)`, set by the caller. */
     size_t struct_size;
-    /**
-     * What the failing call returned.
-     */
+    /** What the failing call returned. */
     taut_status status;
-    /**
-     * What went wrong, finer than the status.
-     */
+    /** What went wrong, finer than the status. */
     taut_reason reason;
-    /**
-     * What kind of element is at fault.
-     */
+    /** What kind of element is at fault. */
     taut_element element;
-    /**
-     * 0.
-     */
+    /** 0. */
     uint32_t reserved;
-    /**
-     * Which one: counted from 0, a line from 1; 0 where `element` is `TAUT_ELEMENT_NONE`.
-     */
+    /** Which one: counted from 0, a line from 1; 0 where `element` is `TAUT_ELEMENT_NONE`. */
     uint64_t index;
 } taut_error;
 
-/**
- * Element type of a buffer; 0 means `double` where real numbers are asked for and `uint32_t` where indices are.
- */
+/** Element type of a buffer; 0 means `double` where real numbers are asked for and `uint32_t` where indices are. */
 typedef uint32_t taut_type;
+/** `float`. */
+#define TAUT_TYPE_F32 1
+/** `double`. */
+#define TAUT_TYPE_F64 2
+/** `uint16_t`. */
+#define TAUT_TYPE_U16 3
+/** `uint32_t`. */
+#define TAUT_TYPE_U32 4
+/** `uint64_t`. */
+#define TAUT_TYPE_U64 5
+/** `int32_t`; a negative index is an error. */
+#define TAUT_TYPE_I32 6
+/** `int64_t`; a negative index is an error. */
+#define TAUT_TYPE_I64 7
 
 /**
  * A buffer that a call reads: `count` rows, `stride` bytes apart, of as many elements as the parameter says.
@@ -335,21 +242,13 @@ typedef uint32_t taut_type;
  * stride and type. Alignment does not matter, and nothing of the buffer is kept after the call.
  */
 typedef struct {
-    /**
-     * The first row; may be NULL if `count` is 0.
-     */
+    /** The first row; may be NULL if `count` is 0. */
     const void *data;
-    /**
-     * How many rows there are.
-     */
+    /** How many rows there are. */
     size_t count;
-    /**
-     * Bytes from one row to the next; 0 means that rows follow each other without a gap.
-     */
+    /** Bytes from one row to the next; 0 means that rows follow each other without a gap. */
     size_t stride;
-    /**
-     * Type of an element; 0 means `double` or `uint32_t`.
-     */
+    /** Type of an element; 0 means `double` or `uint32_t`. */
     taut_type type;
 } taut_input;
 
@@ -359,21 +258,13 @@ typedef struct {
  * A call fills all the rows it has or, on failure, none. Bytes between rows are left alone. The rows must not overlap.
  */
 typedef struct {
-    /**
-     * The first row; may be NULL if `count` is 0.
-     */
+    /** The first row; may be NULL if `count` is 0. */
     void *data;
-    /**
-     * How many rows there is room for; more than needed is fine, the rest is left alone.
-     */
+    /** How many rows there is room for; more than needed is fine, the rest is left alone. */
     size_t count;
-    /**
-     * Bytes from one row to the next; 0 means that rows follow each other without a gap.
-     */
+    /** Bytes from one row to the next; 0 means that rows follow each other without a gap. */
     size_t stride;
-    /**
-     * Type of an element; 0 means `double` or `uint32_t`. A `float` receives the nearest value.
-     */
+    /** Type of an element; 0 means `double` or `uint32_t`. A `float` receives the nearest value. */
     taut_type type;
 } taut_output;
 
@@ -382,81 +273,75 @@ typedef struct {
  * `TAUT_TIME_FORMULA_MEAN_EDGE`.
  */
 typedef uint32_t taut_time_formula;
+/** t = e^2. */
+#define TAUT_TIME_FORMULA_MEAN_EDGE 1
+/** t = s. */
+#define TAUT_TIME_FORMULA_SIGMA 2
+/** t = (e^2 + s) / 2. */
+#define TAUT_TIME_FORMULA_MEAN_SIGMA 3
+/** t = 1.01204 s - 0.0001. */
+#define TAUT_TIME_FORMULA_MEDIAN_FIT 4
+/** t = (e^2 + 1.01204 s - 0.0001) / 2. */
+#define TAUT_TIME_FORMULA_MEDIAN_MEAN 5
 
 /**
  * The size that the mesh is brought to before a formula is evaluated, which matters because most add lengths to areas.
  * t itself is always in mesh units squared. 0 means `TAUT_TIME_SCALE_PAPER`.
  */
 typedef uint32_t taut_time_scale;
+/** The size that the formulas were fitted at. */
+#define TAUT_TIME_SCALE_PAPER 1
+/** The mesh's own units. */
+#define TAUT_TIME_SCALE_RAW 2
 
-/**
- * The time step t of the heat flow: a formula times a factor, or a value. All zero is the default.
- */
+/** The time step t of the heat flow: a formula times a factor, or a value. All zero is the default. */
 typedef struct {
-    /**
-     * The formula; must be 0 if `value` is set.
-     */
+    /** The formula; must be 0 if `value` is set. */
     taut_time_formula formula;
-    /**
-     * Its scale; must be 0 if `value` is set.
-     */
+    /** Its scale; must be 0 if `value` is set. */
     taut_time_scale scale;
-    /**
-     * Multiplies what the formula gives, positive; 0 means 1. Must be 0 if `value` is set.
-     */
+    /** Multiplies what the formula gives, positive; 0 means 1. Must be 0 if `value` is set. */
     double factor;
-    /**
-     * t itself in mesh units squared, positive; 0 means to use the formula.
-     */
+    /** t itself in mesh units squared, positive; 0 means to use the formula. */
     double value;
 } taut_time_step;
 
-/**
- * Which Laplacian diffuses the heat. 0 means `TAUT_LAPLACIAN_INTRINSIC`.
- */
+/** Which Laplacian diffuses the heat. 0 means `TAUT_LAPLACIAN_INTRINSIC`. */
 typedef uint32_t taut_laplacian;
+/** Cotangents of the intrinsic Delaunay triangulation: the same surface with better triangles. */
+#define TAUT_LAPLACIAN_INTRINSIC 1
+/** Cotangents of the mesh's own triangles. */
+#define TAUT_LAPLACIAN_PLAIN 2
 
-/**
- * How the distances get their zero. 0 means `TAUT_SHIFT_PINNED`.
- */
+/** How the distances get their zero. 0 means `TAUT_SHIFT_PINNED`. */
 typedef uint32_t taut_shift;
+/** Each source has exactly its start distance. */
+#define TAUT_SHIFT_PINNED 1
+/** The least distance of each component is moved to the least start distance. */
+#define TAUT_SHIFT_MIN 2
 
-/**
- * Which code factors the sparse matrices. 0 means `TAUT_SOLVER_FAER`.
- */
+/** Which code factors the sparse matrices. 0 means `TAUT_SOLVER_FAER`. */
 typedef uint32_t taut_solver;
+/** faer. */
+#define TAUT_SOLVER_FAER 1
+/** sprs-ldl; only where the library was built with it, else TAUT_REASON_MISSING_FEATURE. */
+#define TAUT_SOLVER_LDL 2
 
-/**
- * Options of `taut_heat_new`. All zero but the size is the default.
- */
+/** Options of `taut_heat_new`. All zero but the size is the default. */
 typedef struct {
-    /**
-     * `sizeof(taut_heat_options)`.
-     */
+    /** `sizeof(taut_heat_options)`. */
     size_t struct_size;
-    /**
-     * The time step.
-     */
+    /** The time step. */
     taut_time_step time_step;
-    /**
-     * Heat at the mesh's boundary: from 0, no flow across (Neumann), to 1, kept at zero (Dirichlet).
-     */
+    /** Heat at the mesh's boundary: from 0, no flow across (Neumann), to 1, kept at zero (Dirichlet). */
     double boundary;
-    /**
-     * The Laplacian.
-     */
+    /** The Laplacian. */
     taut_laplacian laplacian;
-    /**
-     * The zero of the distances.
-     */
+    /** The zero of the distances. */
     taut_shift shift;
-    /**
-     * The solver.
-     */
+    /** The solver. */
     taut_solver solver;
-    /**
-     * 0.
-     */
+    /** 0. */
     uint32_t reserved;
 } taut_heat_options;
 
@@ -466,13 +351,9 @@ typedef struct {
  * Later versions append fields for points inside triangles.
  */
 typedef struct {
-    /**
-     * `sizeof(taut_sources)`.
-     */
+    /** `sizeof(taut_sources)`. */
     size_t struct_size;
-    /**
-     * Rows of one vertex index.
-     */
+    /** Rows of one vertex index. */
     taut_input vertices;
     /**
      * Rows of one real number, the start distance of each vertex in mesh units: finite, of any sign. As many as there
@@ -481,13 +362,9 @@ typedef struct {
     taut_input offsets;
 } taut_sources;
 
-/**
- * Options of `taut_exact_field_new`. All zero but the size is the default.
- */
+/** Options of `taut_exact_field_new`. All zero but the size is the default. */
 typedef struct {
-    /**
-     * `sizeof(taut_exact_options)`.
-     */
+    /** `sizeof(taut_exact_options)`. */
     size_t struct_size;
     /**
      * Rows of one vertex index: the vertices whose distances are wanted; the work stops when all of these are final.
@@ -495,106 +372,6 @@ typedef struct {
      */
     taut_input targets;
 } taut_exact_options;
-
-/**
- * `float`.
- */
-#define TAUT_TYPE_F32 1
-
-/**
- * `double`.
- */
-#define TAUT_TYPE_F64 2
-
-/**
- * `uint16_t`.
- */
-#define TAUT_TYPE_U16 3
-
-/**
- * `uint32_t`.
- */
-#define TAUT_TYPE_U32 4
-
-/**
- * `uint64_t`.
- */
-#define TAUT_TYPE_U64 5
-
-/**
- * `int32_t`; a negative index is an error.
- */
-#define TAUT_TYPE_I32 6
-
-/**
- * `int64_t`; a negative index is an error.
- */
-#define TAUT_TYPE_I64 7
-
-/**
- * t = e².
- */
-#define TAUT_TIME_FORMULA_MEAN_EDGE 1
-
-/**
- * t = s.
- */
-#define TAUT_TIME_FORMULA_SIGMA 2
-
-/**
- * t = (e² + s) / 2.
- */
-#define TAUT_TIME_FORMULA_MEAN_SIGMA 3
-
-/**
- * t = 1.01204 s - 0.0001.
- */
-#define TAUT_TIME_FORMULA_MEDIAN_FIT 4
-
-/**
- * t = (e² + 1.01204 s - 0.0001) / 2.
- */
-#define TAUT_TIME_FORMULA_MEDIAN_MEAN 5
-
-/**
- * The size that the formulas were fitted at.
- */
-#define TAUT_TIME_SCALE_PAPER 1
-
-/**
- * The mesh's own units.
- */
-#define TAUT_TIME_SCALE_RAW 2
-
-/**
- * Cotangents of the intrinsic Delaunay triangulation: the same surface with better triangles.
- */
-#define TAUT_LAPLACIAN_INTRINSIC 1
-
-/**
- * Cotangents of the mesh's own triangles.
- */
-#define TAUT_LAPLACIAN_PLAIN 2
-
-/**
- * Each source has exactly its start distance.
- */
-#define TAUT_SHIFT_PINNED 1
-
-/**
- * The least distance of each component is moved to the least start distance.
- */
-#define TAUT_SHIFT_MIN 2
-
-/**
- * faer.
- */
-#define TAUT_SOLVER_FAER 1
-
-/**
- * sprs-ldl; only where the library was built with it, else TAUT_REASON_MISSING_FEATURE.
- */
-#define TAUT_SOLVER_LDL 2
 
 #ifdef __cplusplus
 extern "C" {
@@ -677,9 +454,7 @@ bool taut_control_is_cancelled(const taut_control *control);
  */
 double taut_control_progress(const taut_control *control);
 
-/**
- * Frees a control; NULL is fine.
- */
+/** Frees a control; NULL is fine. */
 void taut_control_free(taut_control *control);
 
 /**
@@ -779,10 +554,20 @@ taut_status taut_mesh_triangles(const taut_mesh *mesh, taut_output out);
  */
 taut_status taut_mesh_ignored_triangles(const taut_mesh *mesh, taut_output out);
 
-/**
- * Frees a mesh; NULL is fine. What was made from it stays valid.
- */
+/** Frees a mesh; NULL is fine. What was made from it stays valid. */
 void taut_mesh_free(taut_mesh *mesh);
+
+/**
+ * Tells the time step t that a mesh gets, without preparing anything.
+ *
+ * - `mesh`: not NULL.
+ * - `time_step`: all zero means the default.
+ * - `out`: not NULL; receives t in mesh units squared.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT; TAUT_REASON_BAD_TIME_STEP where t is not positive and finite. Cost: O(F). Threads:
+ * any. Cannot be cancelled.
+ */
+taut_status taut_time_step_value(const taut_mesh *mesh, taut_time_step time_step, double *out);
 
 /**
  * Prepares the heat method for a mesh.
@@ -845,22 +630,8 @@ taut_status taut_heat_distances(const taut_heat *heat,
                                 const taut_control *control,
                                 taut_output out);
 
-/**
- * Frees a prepared heat method; NULL is fine.
- */
+/** Frees a prepared heat method; NULL is fine. */
 void taut_heat_free(taut_heat *heat);
-
-/**
- * Tells the time step t that a mesh gets, without preparing anything.
- *
- * - `mesh`: not NULL.
- * - `time_step`: all zero means the default.
- * - `out`: not NULL; receives t in mesh units squared.
- *
- * Errors: TAUT_REASON_BAD_ARGUMENT; TAUT_REASON_BAD_TIME_STEP where t is not positive and finite. Cost: O(F). Threads:
- * any. Cannot be cancelled.
- */
-taut_status taut_time_step_value(const taut_mesh *mesh, taut_time_step time_step, double *out);
 
 /**
  * Prepares a mesh for exact distances.
@@ -872,9 +643,7 @@ taut_status taut_time_step_value(const taut_mesh *mesh, taut_time_step time_step
  */
 taut_status taut_exact_new(const taut_mesh *mesh, taut_exact **out);
 
-/**
- * Frees a prepared mesh; NULL is fine. Fields made from it stay valid.
- */
+/** Frees a prepared mesh; NULL is fine. Fields made from it stay valid. */
 void taut_exact_free(taut_exact *exact);
 
 /**
@@ -887,7 +656,7 @@ void taut_exact_free(taut_exact *exact);
  * - `out`: receives the field, to be freed with `taut_exact_field_free`; NULL on failure.
  *
  * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE names the source or target; TAUT_REASON_CANCELLED.
- * Cost: O(F²) time at worst, on scanned surfaces nearer to O(F^1.5). Threads: any, also on one `exact` at once.
+ * Cost: O(F^2) time at worst, on scanned surfaces nearer to O(F^1.5). Threads: any, also on one `exact` at once.
  * Cancelled within some thousand steps of the propagation.
  */
 taut_status taut_exact_field_new(const taut_exact *exact,
@@ -916,9 +685,7 @@ taut_status taut_exact_field_distances(const taut_exact_field *field, taut_outpu
  */
 double taut_exact_field_final_radius(const taut_exact_field *field);
 
-/**
- * Frees a field; NULL is fine.
- */
+/** Frees a field; NULL is fine. */
 void taut_exact_field_free(taut_exact_field *field);
 
 #ifdef __cplusplus

@@ -9,7 +9,7 @@ use std::fmt;
 /// `Result` with this crate's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// Coarse classes of failure; they map one to one to exceptions in bindings and to `taut_status` in C.
+/// Coarse classes of failure; bindings map them one to one to exceptions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(i32)]
 pub enum Status {

@@ -29,7 +29,40 @@ fn generate(root: &Path) -> String {
     let builder = SOURCES.iter().fold(builder, |builder, source| builder.with_src(root.join(source)));
     let mut header = Vec::new();
     builder.generate().unwrap().write(&mut header);
-    String::from_utf8(header).unwrap()
+    tidy(&String::from_utf8(header).unwrap())
+}
+
+/// Brings the values of an integer type to the type, where cbindgen puts them last, and short comments on one line.
+fn tidy(header: &str) -> String {
+    let mut paragraphs: Vec<String> =
+        header.split("\n\n").map(|paragraph| paragraph.trim_matches('\n').into()).collect();
+    let mut i = 0;
+    while let Some(paragraph) = paragraphs.get(i) {
+        if let Some((_, name)) = paragraph.rsplit_once("\ntypedef uint32_t ") {
+            let define = format!("\n#define {}_", name.trim_end_matches(';').to_uppercase());
+            let (values, others) = paragraphs.into_iter().partition::<Vec<_>, _>(|other| other.contains(&define));
+            paragraphs = others;
+            paragraphs[i] = [std::slice::from_ref(&paragraphs[i]), &values].concat().join("\n");
+        }
+        i += 1;
+    }
+    one_line_comments(&(paragraphs.join("\n\n") + "\n"))
+}
+
+/// Writes `/** x */` for a comment of one line.
+fn one_line_comments(header: &str) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for line in header.lines() {
+        match lines.as_slice() {
+            [.., open, text] if line.trim() == "*/" && open.trim() == "/**" => {
+                let short = format!("{}/**{} */", &open[..open.len() - 3], &text.trim_start()[1..]);
+                lines.truncate(lines.len() - 2);
+                lines.push(short);
+            }
+            _ => lines.push(line.to_owned()),
+        }
+    }
+    lines.join("\n") + "\n"
 }
 
 #[test]

@@ -23,7 +23,7 @@ pub struct taut_exact_options {
     pub targets: taut_input,
 }
 
-// SAFETY: repr(C), starts with its size, and views, which end without a field's place: any bytes are valid.
+// SAFETY: repr(C), starts with its size; a view is valid for any bytes, and a later field begins after it.
 unsafe impl SizedStruct for taut_exact_options {}
 
 /// Prepares a mesh for exact distances.
@@ -53,7 +53,7 @@ pub extern "C" fn taut_exact_free(exact: Option<Box<taut_exact>>) {
 /// - `out`: receives the field, to be freed with `taut_exact_field_free`; NULL on failure.
 ///
 /// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE names the source or target; TAUT_REASON_CANCELLED.
-/// Cost: O(F²) time at worst, on scanned surfaces nearer to O(F^1.5). Threads: any, also on one `exact` at once.
+/// Cost: O(F^2) time at worst, on scanned surfaces nearer to O(F^1.5). Threads: any, also on one `exact` at once.
 /// Cancelled within some thousand steps of the propagation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_exact_field_new(

@@ -14,15 +14,15 @@ pub struct taut_heat(HeatSolver);
 /// A formula for the time step t, from the edge lengths: their mean e and standard deviation s. 0 means
 /// `TAUT_TIME_FORMULA_MEAN_EDGE`.
 pub type taut_time_formula = u32;
-/// t = e².
+/// t = e^2.
 pub const TAUT_TIME_FORMULA_MEAN_EDGE: taut_time_formula = 1;
 /// t = s.
 pub const TAUT_TIME_FORMULA_SIGMA: taut_time_formula = 2;
-/// t = (e² + s) / 2.
+/// t = (e^2 + s) / 2.
 pub const TAUT_TIME_FORMULA_MEAN_SIGMA: taut_time_formula = 3;
 /// t = 1.01204 s - 0.0001.
 pub const TAUT_TIME_FORMULA_MEDIAN_FIT: taut_time_formula = 4;
-/// t = (e² + 1.01204 s - 0.0001) / 2.
+/// t = (e^2 + 1.01204 s - 0.0001) / 2.
 pub const TAUT_TIME_FORMULA_MEDIAN_MEAN: taut_time_formula = 5;
 
 /// The size that the mesh is brought to before a formula is evaluated, which matters because most add lengths to areas.
@@ -88,8 +88,33 @@ pub struct taut_heat_options {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), starts with its size, integers and floats without padding: any bytes are valid.
+// SAFETY: repr(C), starts with its size; integers and floats are valid for any bytes, and no padding follows them.
 unsafe impl SizedStruct for taut_heat_options {}
+
+/// Tells the time step t that a mesh gets, without preparing anything.
+///
+/// - `mesh`: not NULL.
+/// - `time_step`: all zero means the default.
+/// - `out`: not NULL; receives t in mesh units squared.
+///
+/// Errors: TAUT_REASON_BAD_ARGUMENT; TAUT_REASON_BAD_TIME_STEP where t is not positive and finite. Cost: O(F). Threads:
+/// any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_time_step_value(
+    mesh: Option<&taut_mesh>,
+    time_step: taut_time_step,
+    out: *mut f64,
+) -> Status {
+    guard(|| {
+        let value = time_step_of(&time_step)?.value(&required(mesh, "mesh")?.0)?;
+        if out.is_null() {
+            return Err(null("out"));
+        }
+        // SAFETY: it is not NULL, and the header asks for a writable double.
+        unsafe { out.write(value) };
+        Ok(())
+    })
+}
 
 /// Prepares the heat method for a mesh.
 ///
@@ -185,31 +210,6 @@ pub unsafe extern "C" fn taut_heat_distances(
 #[unsafe(no_mangle)]
 pub extern "C" fn taut_heat_free(heat: Option<Box<taut_heat>>) {
     free(heat);
-}
-
-/// Tells the time step t that a mesh gets, without preparing anything.
-///
-/// - `mesh`: not NULL.
-/// - `time_step`: all zero means the default.
-/// - `out`: not NULL; receives t in mesh units squared.
-///
-/// Errors: TAUT_REASON_BAD_ARGUMENT; TAUT_REASON_BAD_TIME_STEP where t is not positive and finite. Cost: O(F). Threads:
-/// any. Cannot be cancelled.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn taut_time_step_value(
-    mesh: Option<&taut_mesh>,
-    time_step: taut_time_step,
-    out: *mut f64,
-) -> Status {
-    guard(|| {
-        let value = time_step_of(&time_step)?.value(&required(mesh, "mesh")?.0)?;
-        if out.is_null() {
-            return Err(null("out"));
-        }
-        // SAFETY: it is not NULL, and the header asks for a writable double.
-        unsafe { out.write(value) };
-        Ok(())
-    })
 }
 
 fn heat_options(options: &taut_heat_options) -> Result<HeatOptions> {

@@ -1,6 +1,6 @@
 //! The C interface: one file per handle, and the only `unsafe` of the crate.
 //!
-//! Every entry point has the same shape: [`guard`] catches panics and keeps the error for `taut_last_error`; [`types`]
+//! Every entry point that can fail has the same shape: [`guard`] catches panics and keeps the error for `taut_last_error`; [`types`]
 //! turns views, sources and sized structs into the crate's own; the work is one call of the public Rust API. Doc
 //! comments of public items here are the C manual: `tests/header.rs` makes `include/taut.h` of them.
 //!

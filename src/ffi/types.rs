@@ -70,7 +70,7 @@ pub struct taut_sources {
     pub offsets: taut_input,
 }
 
-// SAFETY: repr(C), starts with its size, all zero is valid, no padding.
+// SAFETY: repr(C), starts with its size; views are valid for any bytes, and a later field begins after the last one.
 unsafe impl SizedStruct for taut_sources {}
 
 /// A struct that grows at its end from version to version.
@@ -230,7 +230,10 @@ impl taut_output {
             return Err(Error::new(Reason::BufferTooSmall, message));
         }
         if layout.stride < WIDTH * kind.size() {
-            return Err(Error::new(Reason::BadArgument, format!("the rows of `{name}` overlap: its stride is too small")));
+            return Err(Error::new(
+                Reason::BadArgument,
+                format!("the rows of `{name}` overlap: its stride is too small"),
+            ));
         }
         Ok(layout)
     }

@@ -1,0 +1,523 @@
+/* What taut.h promises to every caller, checked from C99. */
+#include "taut.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int failures = 0;
+
+#define CHECK(condition)                                                                                          \
+    do {                                                                                                          \
+        if (!(condition)) {                                                                                       \
+            fprintf(stderr, "%s:%d: %s [%s]\n", __FILE__, __LINE__, #condition, taut_last_error(NULL));           \
+            failures++;                                                                                           \
+        }                                                                                                         \
+    } while (0)
+
+/* A call that must fail for `why`, about element `kind` number `which`. */
+#define CHECK_FAILS(call, why, kind, which) CHECK((call) != TAUT_STATUS_OK && last_is(why, kind, which))
+
+static bool last_is(taut_reason reason, taut_element element, uint64_t index) {
+    taut_error error = {.struct_size = sizeof error};
+    taut_last_error(&error);
+    return error.reason == reason && error.element == element && error.index == index;
+}
+
+/* A rectangle of 3 by 4, diagonal 5, and a vertex that no triangle uses. */
+static const double xyz[] = {0, 0, 0, 3, 0, 0, 3, 4, 0, 0, 4, 0, 7, 7, 7};
+static const uint32_t corners[] = {0, 1, 3, 1, 2, 3};
+static const taut_input positions = {.data = xyz, .count = 5};
+static const taut_input triangles = {.data = corners, .count = 2};
+static const uint32_t zero = 0;
+static const taut_sources from_zero = {.struct_size = sizeof from_zero, .vertices = {.data = &zero, .count = 1}};
+
+static taut_mesh *rectangle(void) {
+    taut_mesh *mesh = NULL;
+    CHECK(taut_mesh_new(positions, triangles, &mesh) == TAUT_STATUS_OK);
+    return mesh;
+}
+
+static taut_exact *exact_rectangle(void) {
+    taut_mesh *mesh = rectangle();
+    taut_exact *exact = NULL;
+    CHECK(taut_exact_new(mesh, &exact) == TAUT_STATUS_OK);
+    taut_mesh_free(mesh); /* before the use of what was made from it */
+    return exact;
+}
+
+static taut_status field_of(const taut_exact *exact, const taut_sources *sources, double *d) {
+    taut_exact_field *field = NULL;
+    taut_status status = taut_exact_field_new(exact, sources, NULL, NULL, &field);
+    if (!status) status = taut_exact_field_distances(field, (taut_output){.data = d, .count = 5});
+    taut_exact_field_free(field);
+    return status;
+}
+
+static bool is_rectangle_field(const double *d) {
+    return d[0] == 0 && d[1] == 3 && d[2] == 5 && d[3] == 4 && d[4] == INFINITY;
+}
+
+/* Must run first: nothing has failed yet. */
+static void before_any_failure(void) {
+    taut_error error;
+    memset(&error, 0xff, sizeof error);
+    error.struct_size = sizeof error;
+    CHECK(strcmp(taut_last_error(&error), "") == 0);
+    CHECK(error.status == TAUT_STATUS_OK && error.reason == 0 && error.element == 0 && error.index == 0);
+}
+
+static void versions_and_names(void) {
+    char version[32];
+    sprintf(version, "%d.%d.%d", TAUT_VERSION_MAJOR, TAUT_VERSION_MINOR, TAUT_VERSION_PATCH);
+    CHECK(strcmp(taut_version(), version) == 0);
+    CHECK(taut_abi() == TAUT_ABI);
+    CHECK(strcmp(taut_status_name(TAUT_STATUS_INVALID_MESH), "invalid mesh") == 0);
+    for (int32_t status = TAUT_STATUS_OK; status <= TAUT_STATUS_INTERNAL; status++)
+        CHECK(strcmp(taut_status_name(status), "unknown") != 0);
+    CHECK(strcmp(taut_status_name(-1), "unknown") == 0);
+    CHECK(strcmp(taut_status_name(TAUT_STATUS_INTERNAL + 1), "unknown") == 0);
+}
+
+static void errors_stay_until_the_next(void) {
+    taut_mesh *mesh = rectangle();
+    CHECK(taut_mesh_new(positions, triangles, NULL) == TAUT_STATUS_INVALID_ARGUMENT);
+    CHECK(strstr(taut_last_error(NULL), "`out` is NULL") != NULL);
+    CHECK(taut_mesh_vertex_count(mesh) == 5); /* a success */
+    CHECK(last_is(TAUT_REASON_NULL_POINTER, TAUT_ELEMENT_NONE, 0));
+    taut_mesh_free(mesh);
+
+    /* A caller with an older struct, which ends after `reason`; and one with a newer struct. */
+    struct {
+        taut_error error;
+        uint64_t newer;
+    } detail;
+    memset(&detail, 0xff, sizeof detail);
+    detail.error.struct_size = offsetof(taut_error, element);
+    taut_last_error(&detail.error);
+    CHECK(detail.error.struct_size == offsetof(taut_error, element));
+    CHECK(detail.error.status == TAUT_STATUS_INVALID_ARGUMENT && detail.error.reason == TAUT_REASON_NULL_POINTER);
+    CHECK(detail.error.element == -1 && detail.newer == UINT64_MAX);
+    detail.error.struct_size = sizeof detail;
+    taut_last_error(&detail.error);
+    CHECK(detail.error.element == TAUT_ELEMENT_NONE && detail.newer == 0);
+}
+
+static void null_is_an_error(void) {
+    taut_mesh *mesh = (taut_mesh *)&failures; /* must be overwritten */
+    taut_exact *exact = NULL;
+    taut_heat *heat = NULL;
+    taut_exact_field *field = NULL;
+    double d[5], t;
+    const taut_output out = {.data = d, .count = 5};
+    const taut_time_step step = {.value = 1};
+
+    CHECK_FAILS(taut_mesh_new((taut_input){.count = 1}, triangles, &mesh), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(mesh == NULL);
+    CHECK(strstr(taut_last_error(NULL), "positions") != NULL);
+    CHECK_FAILS(taut_mesh_read(NULL, &mesh), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_mesh_positions(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_mesh_triangles(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_mesh_ignored_triangles(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_new(NULL, &exact), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_field_new(NULL, &from_zero, NULL, NULL, &field), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_field_distances(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_new(NULL, NULL, NULL, &heat), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_with_time_step(NULL, step, NULL, &heat), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_distances(NULL, &from_zero, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_time_step_value(NULL, step, &t), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_control_new(NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+
+    mesh = rectangle();
+    CHECK_FAILS(taut_time_step_value(mesh, step, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_mesh_positions(mesh, (taut_output){.count = 5}), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(taut_exact_new(mesh, &exact) == TAUT_STATUS_OK);
+    CHECK_FAILS(taut_exact_field_new(exact, NULL, NULL, NULL, &field), TAUT_REASON_NULL_POINTER, 0, 0);
+    taut_exact_free(exact);
+    taut_mesh_free(mesh);
+
+    CHECK(taut_mesh_vertex_count(NULL) == 0 && taut_mesh_triangle_count(NULL) == 0);
+    CHECK(taut_mesh_ignored_count(NULL) == 0);
+    CHECK(taut_heat_time_step(NULL) == 0 && taut_exact_field_final_radius(NULL) == 0);
+    CHECK(taut_control_progress(NULL) == 0 && !taut_control_is_cancelled(NULL));
+    taut_control_cancel(NULL);
+    taut_control_free(NULL);
+    taut_mesh_free(NULL);
+    taut_exact_free(NULL);
+    taut_exact_field_free(NULL);
+    taut_heat_free(NULL);
+}
+
+static void empty_mesh(void) {
+    taut_mesh *mesh = NULL;
+    CHECK(taut_mesh_new((taut_input){0}, (taut_input){0}, &mesh) == TAUT_STATUS_OK);
+    CHECK(mesh != NULL && taut_mesh_vertex_count(mesh) == 0 && taut_mesh_triangle_count(mesh) == 0);
+    CHECK(taut_mesh_positions(mesh, (taut_output){0}) == TAUT_STATUS_OK);
+    taut_mesh_free(mesh);
+}
+
+static void bad_meshes(void) {
+    taut_mesh *mesh = NULL;
+    const uint32_t beyond[] = {0, 1, 3, 1, 2, 5};
+    const int64_t negative[] = {0, 1, 3, 1, -2, 3};
+    double nan_xyz[15];
+    memcpy(nan_xyz, xyz, sizeof xyz);
+    nan_xyz[3 * 4] = NAN; /* of the vertex that no triangle uses: fine */
+
+    CHECK_FAILS(taut_mesh_new(positions, (taut_input){.data = beyond, .count = 2}, &mesh),
+                TAUT_REASON_INDEX_OUT_OF_RANGE, TAUT_ELEMENT_FACE, 1);
+    CHECK_FAILS(taut_mesh_new(positions, (taut_input){.data = negative, .count = 2, .type = TAUT_TYPE_I64}, &mesh),
+                TAUT_REASON_INDEX_OUT_OF_RANGE, TAUT_ELEMENT_FACE, 1);
+    CHECK(taut_mesh_new((taut_input){.data = nan_xyz, .count = 5}, triangles, &mesh) == TAUT_STATUS_OK);
+    taut_mesh_free(mesh);
+    nan_xyz[3 * 2 + 1] = INFINITY;
+    CHECK_FAILS(taut_mesh_new((taut_input){.data = nan_xyz, .count = 5}, triangles, &mesh),
+                TAUT_REASON_NON_FINITE_COORDINATE, TAUT_ELEMENT_VERTEX, 2);
+
+    /* Sizes that no memory has, types that are none. */
+    taut_input huge = positions;
+    huge.stride = SIZE_MAX / 2;
+    CHECK(taut_mesh_new(huge, triangles, &mesh) == TAUT_STATUS_TOO_LARGE);
+    huge.count = SIZE_MAX;
+    huge.stride = 0;
+    CHECK(taut_mesh_new(huge, triangles, &mesh) == TAUT_STATUS_TOO_LARGE);
+    taut_input bad_type = positions;
+    bad_type.type = TAUT_TYPE_U32;
+    CHECK_FAILS(taut_mesh_new(bad_type, triangles, &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    bad_type = triangles;
+    bad_type.type = TAUT_TYPE_F64;
+    CHECK_FAILS(taut_mesh_new(positions, bad_type, &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    bad_type.type = 4000000000u;
+    CHECK_FAILS(taut_mesh_new(positions, bad_type, &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(strstr(taut_last_error(NULL), "triangles.type") != NULL);
+
+    CHECK(taut_mesh_read("/no/such/mesh.off", &mesh) == TAUT_STATUS_IO && mesh == NULL);
+    CHECK_FAILS(taut_mesh_read("\xff.off", &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+}
+
+static void ignored_triangles(void) {
+    const uint32_t repeated[] = {0, 1, 3, 2, 2, 1, 1, 2, 3};
+    taut_mesh *mesh = NULL;
+    int64_t ignored[2] = {-7, -7};
+    const taut_output out = {.data = ignored, .count = 2, .type = TAUT_TYPE_I64};
+    CHECK(taut_mesh_new(positions, (taut_input){.data = repeated, .count = 3}, &mesh) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_triangle_count(mesh) == 3 && taut_mesh_ignored_count(mesh) == 1);
+    CHECK(taut_mesh_ignored_triangles(mesh, out) == TAUT_STATUS_OK);
+    CHECK(ignored[0] == 1 && ignored[1] == -7);
+    taut_mesh_free(mesh);
+}
+
+static bool same_as_rectangle(const taut_mesh *mesh) {
+    double p[15] = {0};
+    uint32_t t[6] = {0};
+    CHECK(taut_mesh_positions(mesh, (taut_output){.data = p, .count = 5}) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_triangles(mesh, (taut_output){.data = t, .count = 2}) == TAUT_STATUS_OK);
+    return memcmp(p, xyz, sizeof p) == 0 && memcmp(t, corners, sizeof t) == 0;
+}
+
+/* The same mesh from every type, with gaps between rows and off alignment. */
+static void every_packing_in(void) {
+    enum { GAP = 41 };
+    unsigned char p[1 + 5 * GAP], t[1 + 2 * GAP];
+    const taut_type scalars[] = {TAUT_TYPE_F32, TAUT_TYPE_F64};
+    const taut_type indices[] = {TAUT_TYPE_U16, TAUT_TYPE_U32, TAUT_TYPE_U64, TAUT_TYPE_I32, TAUT_TYPE_I64};
+    for (size_t s = 0; s < 2; s++) {
+        for (size_t v = 0; v < 5; v++) {
+            const double *row = xyz + 3 * v;
+            const float single[] = {(float)row[0], (float)row[1], (float)row[2]};
+            const void *bytes = scalars[s] == TAUT_TYPE_F32 ? (const void *)single : (const void *)row;
+            memcpy(p + 1 + v * GAP, bytes, scalars[s] == TAUT_TYPE_F32 ? sizeof single : 3 * sizeof *row);
+        }
+        for (size_t i = 0; i < 5; i++) {
+            for (size_t f = 0; f < 2; f++) {
+                for (size_t k = 0; k < 3; k++) {
+                    const uint16_t u16 = (uint16_t)corners[3 * f + k];
+                    const uint32_t u32 = u16;
+                    const uint64_t u64 = u16;
+                    unsigned char *row = t + 1 + f * GAP;
+                    switch (indices[i]) {
+                    case TAUT_TYPE_U16: memcpy(row + 2 * k, &u16, 2); break;
+                    case TAUT_TYPE_U32:
+                    case TAUT_TYPE_I32: memcpy(row + 4 * k, &u32, 4); break;
+                    default: memcpy(row + 8 * k, &u64, 8);
+                    }
+                }
+            }
+            taut_mesh *mesh = NULL;
+            CHECK(taut_mesh_new((taut_input){.data = p + 1, .count = 5, .stride = GAP, .type = scalars[s]},
+                                (taut_input){.data = t + 1, .count = 2, .stride = GAP, .type = indices[i]},
+                                &mesh) == TAUT_STATUS_OK);
+            CHECK(same_as_rectangle(mesh));
+            taut_mesh_free(mesh);
+        }
+    }
+}
+
+static void polygons(void) {
+    const uint16_t offsets[] = {0, 4}, bad_offsets[] = {0, 5}, small[] = {0, 2, 4};
+    const int32_t quad[] = {0, 1, 2, 3};
+    const taut_input quads = {.data = quad, .count = 4, .type = TAUT_TYPE_I32};
+    taut_mesh *mesh = NULL;
+    uint32_t fan[6];
+    CHECK(taut_mesh_new_polygons(positions, (taut_input){.data = offsets, .count = 2, .type = TAUT_TYPE_U16}, quads,
+                                 &mesh) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_triangle_count(mesh) == 2);
+    CHECK(taut_mesh_triangles(mesh, (taut_output){.data = fan, .count = 2}) == TAUT_STATUS_OK);
+    CHECK(fan[0] == 0 && fan[1] == 1 && fan[2] == 2 && fan[3] == 0 && fan[4] == 2 && fan[5] == 3);
+    taut_mesh_free(mesh);
+    CHECK_FAILS(taut_mesh_new_polygons(positions, (taut_input){.data = bad_offsets, .count = 2, .type = TAUT_TYPE_U16},
+                                       quads, &mesh), TAUT_REASON_BAD_OFFSETS, TAUT_ELEMENT_FACE, 0);
+    CHECK_FAILS(taut_mesh_new_polygons(positions, (taut_input){.data = small, .count = 3, .type = TAUT_TYPE_U16}, quads,
+                                       &mesh), TAUT_REASON_FACE_TOO_SMALL, TAUT_ELEMENT_FACE, 0);
+    CHECK(taut_mesh_new_polygons(positions, (taut_input){0}, (taut_input){0}, &mesh) == TAUT_STATUS_OK);
+    taut_mesh_free(mesh);
+}
+
+/* A float in each row of 7 bytes, off alignment; the bytes between stay as they were. */
+static void strided_output(void) {
+    enum { GAP = 7 };
+    taut_exact *exact = exact_rectangle();
+    taut_exact_field *field = NULL;
+    unsigned char bytes[1 + 6 * GAP];
+    const float expected[] = {0, 3, 5, 4, INFINITY};
+    memset(bytes, 0xab, sizeof bytes);
+    CHECK(taut_exact_field_new(exact, &from_zero, NULL, NULL, &field) == TAUT_STATUS_OK);
+    taut_exact_free(exact); /* before the field that was made from it */
+    const taut_output out = {.data = bytes + 1, .count = 6, .stride = GAP, .type = TAUT_TYPE_F32};
+    CHECK(taut_exact_field_distances(field, out) == TAUT_STATUS_OK);
+    CHECK(bytes[0] == 0xab);
+    for (size_t v = 0; v < 5; v++) {
+        CHECK(memcmp(bytes + 1 + v * GAP, expected + v, sizeof(float)) == 0);
+        for (size_t gap = sizeof(float); gap < GAP; gap++) CHECK(bytes[1 + v * GAP + gap] == 0xab);
+    }
+    for (size_t i = 1 + 5 * GAP; i < sizeof bytes; i++) CHECK(bytes[i] == 0xab); /* room beyond the need */
+
+    /* All or nothing. */
+    double d[5] = {-1, -1, -1, -1, -1};
+    CHECK_FAILS(taut_exact_field_distances(field, (taut_output){.data = d, .count = 4}), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_exact_field_distances(field, (taut_output){.data = d, .count = 5, .stride = 4}),
+                TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_exact_field_distances(field, (taut_output){.data = d, .count = 5, .type = TAUT_TYPE_I32}),
+                TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(taut_exact_field_distances(field, (taut_output){.data = d, .count = 5, .stride = SIZE_MAX / 2}) ==
+          TAUT_STATUS_TOO_LARGE);
+    for (size_t v = 0; v < 5; v++) CHECK(d[v] == -1);
+    taut_exact_field_free(field);
+}
+
+static void indices_that_do_not_fit(void) {
+    enum { COUNT = 70000 };
+    double *many = calloc(3 * COUNT, sizeof *many);
+    const uint32_t large[] = {0, 1, COUNT - 1};
+    uint16_t narrow[] = {7, 7, 7};
+    int32_t wide[3];
+    taut_mesh *mesh = NULL;
+    CHECK(taut_mesh_new((taut_input){.data = many, .count = COUNT}, (taut_input){.data = large, .count = 1}, &mesh) ==
+          TAUT_STATUS_OK);
+    CHECK_FAILS(taut_mesh_triangles(mesh, (taut_output){.data = narrow, .count = 1, .type = TAUT_TYPE_U16}),
+                TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(narrow[0] == 7 && narrow[1] == 7 && narrow[2] == 7);
+    CHECK(taut_mesh_triangles(mesh, (taut_output){.data = wide, .count = 1, .type = TAUT_TYPE_I32}) == TAUT_STATUS_OK);
+    CHECK(wide[0] == 0 && wide[1] == 1 && wide[2] == COUNT - 1);
+    taut_mesh_free(mesh);
+    free(many);
+}
+
+static void sources(void) {
+    taut_exact *exact = exact_rectangle();
+    double d[5] = {-1, -1, -1, -1, -1};
+    const int32_t ends[] = {0, 2}, negative[] = {0, -2};
+    const uint64_t beyond[] = {0, 1, 5}, far_beyond[] = {0, UINT64_C(1) << 32};
+    const float offsets[] = {0, 1.5f}, no_number[] = {0, NAN};
+    taut_sources from = {.struct_size = sizeof from};
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_NO_SOURCE, 0, 0);
+
+    from.vertices = (taut_input){.data = beyond, .count = 3, .type = TAUT_TYPE_U64};
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_ELEMENT_SOURCE, 2);
+    from.vertices = (taut_input){.data = far_beyond, .count = 2, .type = TAUT_TYPE_U64};
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_ELEMENT_SOURCE, 1);
+    from.vertices = (taut_input){.data = negative, .count = 2, .type = TAUT_TYPE_I32};
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_ELEMENT_SOURCE, 1);
+
+    from.vertices = (taut_input){.data = ends, .count = 2, .type = TAUT_TYPE_I32};
+    from.offsets = (taut_input){.data = offsets, .count = 1, .type = TAUT_TYPE_F32};
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    from.offsets = (taut_input){.data = no_number, .count = 2, .type = TAUT_TYPE_F32};
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_SOURCE, 1);
+    for (size_t v = 0; v < 5; v++) CHECK(d[v] == -1);
+
+    from.offsets = (taut_input){.data = offsets, .count = 2, .type = TAUT_TYPE_F32};
+    CHECK(field_of(exact, &from, d) == TAUT_STATUS_OK);
+    CHECK(d[0] == 0 && d[1] == 3 && d[2] == 1.5 && d[3] == 4 && d[4] == INFINITY);
+
+    /* An older caller, whose struct ends before the offsets. */
+    from.struct_size = offsetof(taut_sources, offsets);
+    CHECK(field_of(exact, &from, d) == TAUT_STATUS_OK && d[2] == 0);
+    from.struct_size = 0;
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+
+    /* A newer caller, whose struct has fields that are unknown here. */
+    struct {
+        taut_sources known;
+        unsigned char newer[24];
+    } future = {.known = from_zero};
+    future.known.struct_size = sizeof future;
+    CHECK(field_of(exact, &future.known, d) == TAUT_STATUS_OK && is_rectangle_field(d));
+    future.newer[23] = 1;
+    CHECK_FAILS(field_of(exact, &future.known, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    taut_exact_free(exact);
+}
+
+static void targets(void) {
+    taut_exact *exact = exact_rectangle();
+    taut_exact_field *field = NULL;
+    const uint16_t near[] = {1}, beyond[] = {1, 5};
+    double d[5];
+    taut_exact_options options = {.struct_size = sizeof options};
+    options.targets = (taut_input){.data = beyond, .count = 2, .type = TAUT_TYPE_U16};
+    CHECK_FAILS(taut_exact_field_new(exact, &from_zero, &options, NULL, &field), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+                TAUT_ELEMENT_TARGET, 1);
+    CHECK(field == NULL);
+    options.targets = (taut_input){.data = near, .count = 1, .type = TAUT_TYPE_U16};
+    CHECK(taut_exact_field_new(exact, &from_zero, &options, NULL, &field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_final_radius(field) >= 3);
+    CHECK(taut_exact_field_distances(field, (taut_output){.data = d, .count = 5}) == TAUT_STATUS_OK);
+    CHECK(d[0] == 0 && d[1] == 3);
+    taut_exact_field_free(field);
+    options.targets = (taut_input){0};
+    CHECK(taut_exact_field_new(exact, &from_zero, &options, NULL, &field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_final_radius(field) == INFINITY);
+    taut_exact_field_free(field);
+    taut_exact_free(exact);
+}
+
+static void cancelled_before_the_start(void) {
+    taut_mesh *mesh = rectangle();
+    taut_exact *exact = exact_rectangle();
+    taut_heat *heat = NULL, *again = NULL;
+    taut_exact_field *field = NULL;
+    taut_control *control = NULL;
+    double d[5] = {-1, -1, -1, -1, -1};
+    CHECK(taut_heat_new(mesh, NULL, NULL, &heat) == TAUT_STATUS_OK);
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    CHECK(taut_control_progress(control) == 0 && !taut_control_is_cancelled(control));
+    taut_control_cancel(control);
+    CHECK(taut_control_is_cancelled(control));
+
+    CHECK_FAILS(taut_exact_field_new(exact, &from_zero, NULL, control, &field), TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(field == NULL);
+    CHECK(taut_heat_new(mesh, NULL, control, &again) == TAUT_STATUS_CANCELLED && again == NULL);
+    CHECK(taut_heat_with_time_step(heat, (taut_time_step){.value = 1}, control, &again) == TAUT_STATUS_CANCELLED);
+    CHECK(again == NULL);
+    CHECK(taut_heat_distances(heat, &from_zero, control, (taut_output){.data = d, .count = 5}) == TAUT_STATUS_CANCELLED);
+    for (size_t v = 0; v < 5; v++) CHECK(d[v] == -1);
+    taut_control_free(control);
+    taut_heat_free(heat);
+    taut_exact_free(exact);
+    taut_mesh_free(mesh);
+}
+
+static taut_status heat_with(const taut_mesh *mesh, const taut_heat_options *options, double *d) {
+    taut_heat *heat = NULL;
+    taut_status status = taut_heat_new(mesh, options, NULL, &heat);
+    if (!status) status = taut_heat_distances(heat, &from_zero, NULL, (taut_output){.data = d, .count = 5});
+    CHECK(status != TAUT_STATUS_OK || taut_heat_time_step(heat) > 0);
+    taut_heat_free(heat);
+    return status;
+}
+
+static void heat_options(void) {
+    taut_mesh *mesh = rectangle();
+    double by_default[5], d[5];
+    taut_heat_options options = {.struct_size = sizeof options};
+    CHECK(heat_with(mesh, NULL, by_default) == TAUT_STATUS_OK);
+    CHECK(by_default[0] == 0 && by_default[2] > 0 && by_default[4] == INFINITY);
+
+    /* All zero is the default, which has names too; an older caller has no options but the time step. */
+    CHECK(heat_with(mesh, &options, d) == TAUT_STATUS_OK && memcmp(d, by_default, sizeof d) == 0);
+    options.time_step = (taut_time_step){TAUT_TIME_FORMULA_MEAN_EDGE, TAUT_TIME_SCALE_PAPER, 1, 0};
+    options.laplacian = TAUT_LAPLACIAN_INTRINSIC;
+    options.shift = TAUT_SHIFT_PINNED;
+    options.solver = TAUT_SOLVER_FAER;
+    CHECK(heat_with(mesh, &options, d) == TAUT_STATUS_OK && memcmp(d, by_default, sizeof d) == 0);
+    options.struct_size = offsetof(taut_heat_options, boundary);
+    options.boundary = -1; /* beyond its end */
+    CHECK(heat_with(mesh, &options, d) == TAUT_STATUS_OK && memcmp(d, by_default, sizeof d) == 0);
+
+    options = (taut_heat_options){.struct_size = sizeof options, .boundary = -1};
+    CHECK_FAILS(heat_with(mesh, &options, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    options = (taut_heat_options){.struct_size = sizeof options, .laplacian = 3};
+    CHECK_FAILS(heat_with(mesh, &options, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(strstr(taut_last_error(NULL), "laplacian") != NULL);
+    options = (taut_heat_options){.struct_size = sizeof options, .shift = 3};
+    CHECK_FAILS(heat_with(mesh, &options, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    options = (taut_heat_options){.struct_size = sizeof options, .solver = 3};
+    CHECK_FAILS(heat_with(mesh, &options, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    options = (taut_heat_options){.struct_size = sizeof options, .reserved = 1};
+    CHECK_FAILS(heat_with(mesh, &options, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    options = (taut_heat_options){.struct_size = sizeof options, .solver = TAUT_SOLVER_LDL}; /* not in this library */
+    CHECK_FAILS(heat_with(mesh, &options, d), TAUT_REASON_MISSING_FEATURE, 0, 0);
+    taut_mesh_free(mesh);
+}
+
+static void time_steps(void) {
+    taut_mesh *mesh = rectangle();
+    taut_heat *heat = NULL, *again = NULL;
+    double t = -1, d[5], fresh[5];
+    /* The mean edge of the rectangle is (3 + 4 + 3 + 4 + 5) / 5. */
+    const double mean = 19.0 / 5;
+    CHECK(taut_time_step_value(mesh, (taut_time_step){0}, &t) == TAUT_STATUS_OK && fabs(t - mean * mean) < 1e-13);
+    CHECK(taut_time_step_value(mesh, (taut_time_step){.factor = 2}, &t) == TAUT_STATUS_OK);
+    CHECK(fabs(t - 2 * mean * mean) < 1e-13);
+    CHECK(taut_time_step_value(mesh, (taut_time_step){.value = 0.25}, &t) == TAUT_STATUS_OK && t == 0.25);
+    t = -1;
+    CHECK_FAILS(taut_time_step_value(mesh, (taut_time_step){.value = -0.25}, &t), TAUT_REASON_BAD_TIME_STEP, 0, 0);
+    CHECK_FAILS(taut_time_step_value(mesh, (taut_time_step){.value = NAN}, &t), TAUT_REASON_BAD_TIME_STEP, 0, 0);
+    CHECK_FAILS(taut_time_step_value(mesh, (taut_time_step){.value = 1, .factor = 1}, &t), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_time_step_value(mesh, (taut_time_step){.formula = 6}, &t), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_time_step_value(mesh, (taut_time_step){.scale = 3}, &t), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(t == -1);
+
+    /* A solver for another time step equals a fresh one, and outlives what it was made from. */
+    const taut_heat_options options = {.struct_size = sizeof options, .time_step = {.factor = 0.5}};
+    CHECK(taut_heat_new(mesh, NULL, NULL, &heat) == TAUT_STATUS_OK);
+    CHECK(taut_heat_with_time_step(heat, options.time_step, NULL, &again) == TAUT_STATUS_OK);
+    CHECK(fabs(taut_heat_time_step(again) - mean * mean / 2) < 1e-13);
+    CHECK(heat_with(mesh, &options, fresh) == TAUT_STATUS_OK);
+    taut_mesh_free(mesh);
+    taut_heat_free(heat);
+    CHECK(taut_heat_distances(again, &from_zero, NULL, (taut_output){.data = d, .count = 5}) == TAUT_STATUS_OK);
+    CHECK(memcmp(d, fresh, sizeof d) == 0);
+    taut_heat_free(again);
+}
+
+static void exact_distances(void) {
+    taut_exact *exact = exact_rectangle();
+    double d[5];
+    CHECK(field_of(exact, &from_zero, d) == TAUT_STATUS_OK);
+    CHECK(is_rectangle_field(d));
+    taut_exact_free(exact);
+}
+
+int main(void) {
+    before_any_failure();
+    versions_and_names();
+    errors_stay_until_the_next();
+    null_is_an_error();
+    empty_mesh();
+    bad_meshes();
+    ignored_triangles();
+    every_packing_in();
+    polygons();
+    strided_output();
+    indices_that_do_not_fit();
+    sources();
+    targets();
+    cancelled_before_the_start();
+    heat_options();
+    time_steps();
+    exact_distances();
+    if (failures) fprintf(stderr, "%d checks failed\n", failures);
+    return failures ? 1 : 0;
+}

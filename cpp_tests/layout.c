@@ -1,0 +1,61 @@
+/* The binary layout of every struct, as it is frozen for this interface; compiled as C99, C++11 and C++20. */
+#include "taut.h"
+
+/* Fails to compile where `condition` is false. */
+#define ASSERT(name, condition) typedef char name[(condition) ? 1 : -1]
+#define FIELD(type, field, offset) ASSERT(type##_##field##_offset, offsetof(type, field) == (offset))
+#define SIZE(type, size) ASSERT(type##_size, sizeof(type) == (size))
+
+ASSERT(enums_are_32_bits, sizeof(taut_status) == 4 && sizeof(taut_reason) == 4 && sizeof(taut_element) == 4);
+ASSERT(types_are_32_bits, sizeof(taut_type) == 4 && sizeof(taut_laplacian) == 4);
+
+#if UINTPTR_MAX == UINT64_MAX
+SIZE(taut_input, 32);
+FIELD(taut_input, data, 0);
+FIELD(taut_input, count, 8);
+FIELD(taut_input, stride, 16);
+FIELD(taut_input, type, 24);
+
+SIZE(taut_output, 32);
+FIELD(taut_output, data, 0);
+FIELD(taut_output, count, 8);
+FIELD(taut_output, stride, 16);
+FIELD(taut_output, type, 24);
+
+SIZE(taut_sources, 72);
+FIELD(taut_sources, struct_size, 0);
+FIELD(taut_sources, vertices, 8);
+FIELD(taut_sources, offsets, 40);
+
+SIZE(taut_time_step, 24);
+FIELD(taut_time_step, formula, 0);
+FIELD(taut_time_step, scale, 4);
+FIELD(taut_time_step, factor, 8);
+FIELD(taut_time_step, value, 16);
+
+SIZE(taut_heat_options, 56);
+FIELD(taut_heat_options, struct_size, 0);
+FIELD(taut_heat_options, time_step, 8);
+FIELD(taut_heat_options, boundary, 32);
+FIELD(taut_heat_options, laplacian, 40);
+FIELD(taut_heat_options, shift, 44);
+FIELD(taut_heat_options, solver, 48);
+FIELD(taut_heat_options, reserved, 52);
+
+SIZE(taut_exact_options, 40);
+FIELD(taut_exact_options, struct_size, 0);
+FIELD(taut_exact_options, targets, 8);
+
+SIZE(taut_error, 32);
+FIELD(taut_error, struct_size, 0);
+FIELD(taut_error, status, 8);
+FIELD(taut_error, reason, 12);
+FIELD(taut_error, element, 16);
+FIELD(taut_error, reserved, 20);
+FIELD(taut_error, index, 24);
+#endif
+
+/* The program that was compiled with this header runs with a library that has the same interface. */
+int main(void) {
+    return taut_abi() == TAUT_ABI ? 0 : 1;
+}
