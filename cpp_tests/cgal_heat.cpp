@@ -1,4 +1,5 @@
-// The heat method against CGAL's Heat_method_3, one source, the same time step.
+// The heat method against CGAL's Heat_method_3: one source, the same time step, connected surfaces (CGAL gives other
+// components a distance too).
 #include "peers.hpp"
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
@@ -75,6 +76,6 @@ static bool agree(const char *name, const Peers &peers) {
 
 int main() {
     return for_each_mesh({"elephant", "fandisk", "cow", "pig", "hand", "head", "camel", "knot1", "bull", "dino", "homer",
-                          "mask_cone"},
+                          "lion-head"},
                          agree);
 }

@@ -270,26 +270,27 @@ typedef struct {
 
 /**
  * A formula for the time step t, from the edge lengths: their mean e and standard deviation s. 0 means
- * `TAUT_TIME_FORMULA_MEAN_EDGE`.
+ * `TAUT_TIME_FORMULA_MEAN_EDGE`. Eq. 1 is Crane, Weischedel and Wardetzky's (Geodesics in Heat, 2013), the others are
+ * from "Wave propagation time optimization for geodesic distances calculation using the Heat Method" (2019).
  */
 typedef uint32_t taut_time_formula;
-/** t = e^2. */
+/** t = e^2 (Eq. 1). */
 #define TAUT_TIME_FORMULA_MEAN_EDGE 1
-/** t = s. */
+/** t = s (Eq. 2). */
 #define TAUT_TIME_FORMULA_SIGMA 2
-/** t = (e^2 + s) / 2. */
+/** t = (e^2 + s) / 2 (Eq. 3). */
 #define TAUT_TIME_FORMULA_MEAN_SIGMA 3
-/** t = 1.01204 s - 0.0001. */
+/** t = 1.01204 s - 0.0001 (Eq. 4). */
 #define TAUT_TIME_FORMULA_MEDIAN_FIT 4
-/** t = (e^2 + 1.01204 s - 0.0001) / 2. */
+/** t = (e^2 + 1.01204 s - 0.0001) / 2 (Eq. 5). */
 #define TAUT_TIME_FORMULA_MEDIAN_MEAN 5
 
 /**
- * The size that the mesh is brought to before a formula is evaluated, which matters because most add lengths to areas.
- * t itself is always in mesh units squared. 0 means `TAUT_TIME_SCALE_PAPER`.
+ * The size that a formula is evaluated at, which matters because Eq. 2 to 5 set an area to lengths. t itself is always
+ * in mesh units squared. 0 means `TAUT_TIME_SCALE_PAPER`.
  */
 typedef uint32_t taut_time_scale;
-/** The size that the formulas were fitted at. */
+/** A bounding box with the diagonal 24.976, for which Eq. 2 to 5 were found. */
 #define TAUT_TIME_SCALE_PAPER 1
 /** The mesh's own units. */
 #define TAUT_TIME_SCALE_RAW 2
@@ -486,15 +487,17 @@ taut_status taut_mesh_new(taut_input positions, taut_input triangles, taut_mesh 
 taut_status taut_mesh_new_polygons(taut_input positions, taut_input offsets, taut_input corners, taut_mesh **out);
 
 /**
- * Reads a mesh file: OBJ, OFF or PLY, each also compressed (.gz).
+ * Reads a mesh file: OBJ, OFF or PLY, each also compressed. Polygons become fans as in `taut_mesh_new_polygons`.
  *
- * - `path`: not NULL, UTF-8, ended by a zero byte.
+ * - `path`: not NULL, UTF-8, ended by a zero byte; the suffix tells the format: .obj, .off, .ply, or these and .gz.
  * - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
  *
- * Errors: TAUT_STATUS_IO where the file cannot be read, TAUT_STATUS_FORMAT where its content is wrong, naming the line
- * in a text file; else as for `taut_mesh_new_polygons`. Cost: linear in the file. Threads: any. Cannot be cancelled.
+ * Errors: TAUT_STATUS_IO where the file cannot be read; TAUT_REASON_UNKNOWN_FORMAT where its suffix tells none of these;
+ * TAUT_REASON_MALFORMED and TAUT_REASON_TRUNCATED name the line, vertex or face; else as for `taut_mesh_new_polygons`.
+ * Cost: linear in the file. Threads: any. Cannot be cancelled.
  */
-taut_status taut_mesh_read(const char *path, taut_mesh **out);
+taut_status taut_mesh_read(const char *path,
+                           taut_mesh **out);
 
 /**
  * Tells how many vertices the mesh has, those that no triangle uses included.
@@ -579,7 +582,7 @@ taut_status taut_time_step_value(const taut_mesh *mesh, taut_time_step time_step
  *
  * Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_MISSING_FEATURE,
  * TAUT_REASON_NOT_POSITIVE_DEFINITE, TAUT_REASON_CANCELLED. Cost: two sparse Cholesky factorisations, about O(V^1.5)
- * time and O(V log V) memory. Threads: any. Cancelled before each factorisation, not inside one.
+ * time and O(V log V) memory. Threads: any. Cancelled between its steps, not inside a factorisation.
  */
 taut_status taut_heat_new(const taut_mesh *mesh,
                           const taut_heat_options *options,
@@ -595,8 +598,8 @@ taut_status taut_heat_new(const taut_mesh *mesh,
  * - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
  *
  * Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_NOT_POSITIVE_DEFINITE,
- * TAUT_REASON_CANCELLED. Cost: one numeric factorisation, a fraction of `taut_heat_new`. Threads: any. Cancelled before
- * the factorisation, not inside it.
+ * TAUT_REASON_CANCELLED. Cost: one numeric factorisation, a fraction of `taut_heat_new`. Threads: any. Cancelled between
+ * its steps, not inside a factorisation.
  */
 taut_status taut_heat_with_time_step(const taut_heat *heat,
                                      taut_time_step time_step,
@@ -622,8 +625,9 @@ double taut_heat_time_step(const taut_heat *heat);
  *   reaches.
  *
  * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE and TAUT_REASON_SOURCE_ON_BOUNDARY name the source;
- * TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED. Cost: a few sparse triangular solves, about O(V log V). Threads:
- * any, also on one `heat` at once. Cancelled between the solves.
+ * TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED. Cost: a few sparse triangular solves, about O(V log V); with
+ * `TAUT_SHIFT_PINNED` and several sources in one component also a factorisation. Threads: any, also on one `heat` at
+ * once. Cancelled between its steps, not inside a solve.
  */
 taut_status taut_heat_distances(const taut_heat *heat,
                                 const taut_sources *sources,
@@ -656,8 +660,8 @@ void taut_exact_free(taut_exact *exact);
  * - `out`: receives the field, to be freed with `taut_exact_field_free`; NULL on failure.
  *
  * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE names the source or target; TAUT_REASON_CANCELLED.
- * Cost: O(F^2) time at worst, on scanned surfaces nearer to O(F^1.5). Threads: any, also on one `exact` at once.
- * Cancelled within some thousand steps of the propagation.
+ * Cost: about 25 windows per triangle on scanned surfaces, O(V^2) at worst; memory for the moving front only. Threads:
+ * any, also on one `exact` at once. Cancelled within a few hundred vertices.
  */
 taut_status taut_exact_field_new(const taut_exact *exact,
                                  const taut_sources *sources,

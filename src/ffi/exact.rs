@@ -53,8 +53,8 @@ pub extern "C" fn taut_exact_free(exact: Option<Box<taut_exact>>) {
 /// - `out`: receives the field, to be freed with `taut_exact_field_free`; NULL on failure.
 ///
 /// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE names the source or target; TAUT_REASON_CANCELLED.
-/// Cost: O(F^2) time at worst, on scanned surfaces nearer to O(F^1.5). Threads: any, also on one `exact` at once.
-/// Cancelled within some thousand steps of the propagation.
+/// Cost: about 25 windows per triangle on scanned surfaces, O(V^2) at worst; memory for the moving front only. Threads:
+/// any, also on one `exact` at once. Cancelled within a few hundred vertices.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_exact_field_new(
     exact: Option<&taut_exact>,

@@ -179,3 +179,57 @@ fn error_detail(error: &Error) -> taut_error {
         index,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::panic, reason = "the test of what a panic does")]
+    use super::*;
+    use std::ffi::CStr;
+
+    fn last_message() -> String {
+        // SAFETY: NULL is allowed, and the message is copied before the next failure.
+        let message = unsafe { CStr::from_ptr(taut_last_error(std::ptr::null_mut())) };
+        message.to_string_lossy().into_owned()
+    }
+
+    #[test]
+    fn a_panic_becomes_an_error_and_leaves_no_handle() {
+        let mut out = std::ptr::dangling_mut::<u8>();
+        // SAFETY: `out` may be written.
+        let status = unsafe { guard_new(&raw mut out, || panic!("number {}", 7)) };
+        assert_eq!(status, Status::Internal);
+        assert!(out.is_null());
+        assert!(last_message().ends_with("number 7"));
+        assert_eq!(guard(|| panic!("plain")), Status::Internal);
+        assert!(last_message().ends_with("plain"));
+    }
+
+    #[test]
+    fn a_panic_whose_payload_panics_when_dropped_stops_at_the_border() {
+        struct Bomb;
+        impl Drop for Bomb {
+            fn drop(&mut self) {
+                panic!("dropped");
+            }
+        }
+        assert_eq!(guard(|| std::panic::panic_any(Bomb)), Status::Internal);
+    }
+
+    #[test]
+    fn each_thread_has_its_own_last_error() {
+        guard(|| Err(null("ours")));
+        std::thread::scope(|scope| {
+            scope.spawn(|| {
+                assert_eq!(last_message(), "");
+                guard(|| Err(null("theirs")));
+            });
+        });
+        assert_eq!(last_message(), "`ours` is NULL");
+    }
+
+    #[test]
+    fn a_zero_byte_in_a_message_does_not_end_it() {
+        guard(|| Err(Error::new(Reason::BadArgument, "a\0b")));
+        assert_eq!(last_message(), "a\u{fffd}b");
+    }
+}

@@ -12,23 +12,24 @@ use crate::{
 pub struct taut_heat(HeatSolver);
 
 /// A formula for the time step t, from the edge lengths: their mean e and standard deviation s. 0 means
-/// `TAUT_TIME_FORMULA_MEAN_EDGE`.
+/// `TAUT_TIME_FORMULA_MEAN_EDGE`. Eq. 1 is Crane, Weischedel and Wardetzky's (Geodesics in Heat, 2013), the others are
+/// from "Wave propagation time optimization for geodesic distances calculation using the Heat Method" (2019).
 pub type taut_time_formula = u32;
-/// t = e^2.
+/// t = e^2 (Eq. 1).
 pub const TAUT_TIME_FORMULA_MEAN_EDGE: taut_time_formula = 1;
-/// t = s.
+/// t = s (Eq. 2).
 pub const TAUT_TIME_FORMULA_SIGMA: taut_time_formula = 2;
-/// t = (e^2 + s) / 2.
+/// t = (e^2 + s) / 2 (Eq. 3).
 pub const TAUT_TIME_FORMULA_MEAN_SIGMA: taut_time_formula = 3;
-/// t = 1.01204 s - 0.0001.
+/// t = 1.01204 s - 0.0001 (Eq. 4).
 pub const TAUT_TIME_FORMULA_MEDIAN_FIT: taut_time_formula = 4;
-/// t = (e^2 + 1.01204 s - 0.0001) / 2.
+/// t = (e^2 + 1.01204 s - 0.0001) / 2 (Eq. 5).
 pub const TAUT_TIME_FORMULA_MEDIAN_MEAN: taut_time_formula = 5;
 
-/// The size that the mesh is brought to before a formula is evaluated, which matters because most add lengths to areas.
-/// t itself is always in mesh units squared. 0 means `TAUT_TIME_SCALE_PAPER`.
+/// The size that a formula is evaluated at, which matters because Eq. 2 to 5 set an area to lengths. t itself is always
+/// in mesh units squared. 0 means `TAUT_TIME_SCALE_PAPER`.
 pub type taut_time_scale = u32;
-/// The size that the formulas were fitted at.
+/// A bounding box with the diagonal 24.976, for which Eq. 2 to 5 were found.
 pub const TAUT_TIME_SCALE_PAPER: taut_time_scale = 1;
 /// The mesh's own units.
 pub const TAUT_TIME_SCALE_RAW: taut_time_scale = 2;
@@ -125,7 +126,7 @@ pub unsafe extern "C" fn taut_time_step_value(
 ///
 /// Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_MISSING_FEATURE,
 /// TAUT_REASON_NOT_POSITIVE_DEFINITE, TAUT_REASON_CANCELLED. Cost: two sparse Cholesky factorisations, about O(V^1.5)
-/// time and O(V log V) memory. Threads: any. Cancelled before each factorisation, not inside one.
+/// time and O(V log V) memory. Threads: any. Cancelled between its steps, not inside a factorisation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_new(
     mesh: Option<&taut_mesh>,
@@ -151,8 +152,8 @@ pub unsafe extern "C" fn taut_heat_new(
 /// - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
 ///
 /// Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_NOT_POSITIVE_DEFINITE,
-/// TAUT_REASON_CANCELLED. Cost: one numeric factorisation, a fraction of `taut_heat_new`. Threads: any. Cancelled before
-/// the factorisation, not inside it.
+/// TAUT_REASON_CANCELLED. Cost: one numeric factorisation, a fraction of `taut_heat_new`. Threads: any. Cancelled between
+/// its steps, not inside a factorisation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_with_time_step(
     heat: Option<&taut_heat>,
@@ -187,8 +188,9 @@ pub extern "C" fn taut_heat_time_step(heat: Option<&taut_heat>) -> f64 {
 ///   reaches.
 ///
 /// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE and TAUT_REASON_SOURCE_ON_BOUNDARY name the source;
-/// TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED. Cost: a few sparse triangular solves, about O(V log V). Threads:
-/// any, also on one `heat` at once. Cancelled between the solves.
+/// TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED. Cost: a few sparse triangular solves, about O(V log V); with
+/// `TAUT_SHIFT_PINNED` and several sources in one component also a factorisation. Threads: any, also on one `heat` at
+/// once. Cancelled between its steps, not inside a solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_distances(
     heat: Option<&taut_heat>,
