@@ -47,9 +47,9 @@
  * designated initialisers, in C++ by `taut_sources from = {};`. The enums of parameters are integers whose values start
  * at 1; a value that the library does not know is an error.
  *
- * Versions. A struct that starts with struct_size grows at its end only: set it to sizeof the struct. A program that was
- * compiled with an older or newer header keeps working; setting a field that the running library does not know is an
- * error. Values of enums are never reused. Before version 1.0 a minor version, after it a major version, may break the
+ * Versions. A struct that starts with struct_size grows at its end only: set it to sizeof it. Programs compiled
+ * with an older or newer header keep working; setting a field that the running library does not know is an error.
+ * Values of enums are never reused. Before version 1.0 a minor version, after it a major version, may break the
  * interface; then TAUT_ABI and the library's soname change.
  */
 
@@ -427,7 +427,7 @@ const char *taut_last_error(taut_error *detail);
 taut_status taut_control_new(taut_control **out);
 
 /**
- * Asks the call that uses the control to stop: at its next check it returns `TAUT_STATUS_CANCELLED` and writes nothing.
+ * Asks the call that uses the control to stop: at its next check it returns TAUT_STATUS_CANCELLED and writes nothing.
  *
  * - `control`: not NULL.
  *
@@ -476,8 +476,8 @@ taut_status taut_mesh_new(taut_input positions, taut_input triangles, taut_mesh 
  * Makes a mesh of polygons; each becomes a fan of triangles from its first corner.
  *
  * - `positions`: as for `taut_mesh_new`.
- * - `offsets`: rows of one index, one more than there are faces, or none at all. Face f has the corners from offsets[f]
- *   up to, not including, offsets[f + 1]: at least three. The first is 0, the last the number of corners.
+ * - `offsets`: rows of one index, one more than there are faces, or none at all. Face f has the corners from
+ *   offsets[f] up to, not including, offsets[f + 1]: at least three. The first is 0, the last the number of corners.
  * - `corners`: rows of one vertex index, the corners of all faces one after another.
  * - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
  *
@@ -492,12 +492,11 @@ taut_status taut_mesh_new_polygons(taut_input positions, taut_input offsets, tau
  * - `path`: not NULL, UTF-8, ended by a zero byte; the suffix tells the format: .obj, .off, .ply, or these and .gz.
  * - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
  *
- * Errors: TAUT_STATUS_IO where the file cannot be read; TAUT_REASON_UNKNOWN_FORMAT where its suffix tells none of these;
+ * Errors: TAUT_STATUS_IO where the file cannot be read; TAUT_REASON_UNKNOWN_FORMAT where its suffix tells no format;
  * TAUT_REASON_MALFORMED and TAUT_REASON_TRUNCATED name the line, vertex or face; else as for `taut_mesh_new_polygons`.
  * Cost: linear in the file. Threads: any. Cannot be cancelled.
  */
-taut_status taut_mesh_read(const char *path,
-                           taut_mesh **out);
+taut_status taut_mesh_read(const char *path, taut_mesh **out);
 
 /**
  * Tells how many vertices the mesh has, those that no triangle uses included.
@@ -598,8 +597,8 @@ taut_status taut_heat_new(const taut_mesh *mesh,
  * - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
  *
  * Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_NOT_POSITIVE_DEFINITE,
- * TAUT_REASON_CANCELLED. Cost: one numeric factorisation, a fraction of `taut_heat_new`. Threads: any. Cancelled between
- * its steps, not inside a factorisation.
+ * TAUT_REASON_CANCELLED. Cost: one numeric factorisation, a fraction of `taut_heat_new`. Threads: any. Cancelled
+ * between its steps, not inside a factorisation.
  */
 taut_status taut_heat_with_time_step(const taut_heat *heat,
                                      taut_time_step time_step,

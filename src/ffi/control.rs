@@ -17,7 +17,7 @@ pub unsafe extern "C" fn taut_control_new(out: *mut *mut taut_control) -> Status
     unsafe { guard_new(out, || Ok(taut_control(Control::new()))) }
 }
 
-/// Asks the call that uses the control to stop: at its next check it returns `TAUT_STATUS_CANCELLED` and writes nothing.
+/// Asks the call that uses the control to stop: at its next check it returns TAUT_STATUS_CANCELLED and writes nothing.
 ///
 /// - `control`: not NULL.
 ///

@@ -152,8 +152,8 @@ pub unsafe extern "C" fn taut_heat_new(
 /// - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
 ///
 /// Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_NOT_POSITIVE_DEFINITE,
-/// TAUT_REASON_CANCELLED. Cost: one numeric factorisation, a fraction of `taut_heat_new`. Threads: any. Cancelled between
-/// its steps, not inside a factorisation.
+/// TAUT_REASON_CANCELLED. Cost: one numeric factorisation, a fraction of `taut_heat_new`. Threads: any. Cancelled
+/// between its steps, not inside a factorisation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_with_time_step(
     heat: Option<&taut_heat>,

@@ -38,8 +38,8 @@ pub unsafe extern "C" fn taut_mesh_new(
 /// Makes a mesh of polygons; each becomes a fan of triangles from its first corner.
 ///
 /// - `positions`: as for `taut_mesh_new`.
-/// - `offsets`: rows of one index, one more than there are faces, or none at all. Face f has the corners from offsets[f]
-///   up to, not including, offsets[f + 1]: at least three. The first is 0, the last the number of corners.
+/// - `offsets`: rows of one index, one more than there are faces, or none at all. Face f has the corners from
+///   offsets[f] up to, not including, offsets[f + 1]: at least three. The first is 0, the last the number of corners.
 /// - `corners`: rows of one vertex index, the corners of all faces one after another.
 /// - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
 ///
@@ -68,7 +68,7 @@ pub unsafe extern "C" fn taut_mesh_new_polygons(
 /// - `path`: not NULL, UTF-8, ended by a zero byte; the suffix tells the format: .obj, .off, .ply, or these and .gz.
 /// - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
 ///
-/// Errors: TAUT_STATUS_IO where the file cannot be read; TAUT_REASON_UNKNOWN_FORMAT where its suffix tells none of these;
+/// Errors: TAUT_STATUS_IO where the file cannot be read; TAUT_REASON_UNKNOWN_FORMAT where its suffix tells no format;
 /// TAUT_REASON_MALFORMED and TAUT_REASON_TRUNCATED name the line, vertex or face; else as for `taut_mesh_new_polygons`.
 /// Cost: linear in the file. Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
