@@ -295,7 +295,8 @@ static void strided_output(void) {
 
     /* All or nothing. */
     double d[5] = {-1, -1, -1, -1, -1};
-    CHECK_FAILS(taut_exact_field_distances(field, (taut_output){.data = d, .count = 4}), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_exact_field_distances(field, (taut_output){.data = d, .count = 4}), TAUT_REASON_BUFFER_TOO_SMALL,
+                0, 0);
     CHECK_FAILS(taut_exact_field_distances(field, (taut_output){.data = d, .count = 5, .stride = 4}),
                 TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK_FAILS(taut_exact_field_distances(field, (taut_output){.data = d, .count = 5, .type = TAUT_TYPE_I32}),
@@ -410,7 +411,8 @@ static void cancelled_before_the_start(void) {
     CHECK(taut_heat_new(mesh, NULL, control, &again) == TAUT_STATUS_CANCELLED && again == NULL);
     CHECK(taut_heat_with_time_step(heat, (taut_time_step){.value = 1}, control, &again) == TAUT_STATUS_CANCELLED);
     CHECK(again == NULL);
-    CHECK(taut_heat_distances(heat, &from_zero, control, (taut_output){.data = d, .count = 5}) == TAUT_STATUS_CANCELLED);
+    const taut_output out = {.data = d, .count = 5};
+    CHECK(taut_heat_distances(heat, &from_zero, control, out) == TAUT_STATUS_CANCELLED);
     for (size_t v = 0; v < 5; v++) CHECK(d[v] == -1);
     taut_control_free(control);
     taut_heat_free(heat);
@@ -474,7 +476,8 @@ static void time_steps(void) {
     t = -1;
     CHECK_FAILS(taut_time_step_value(mesh, (taut_time_step){.value = -0.25}, &t), TAUT_REASON_BAD_TIME_STEP, 0, 0);
     CHECK_FAILS(taut_time_step_value(mesh, (taut_time_step){.value = NAN}, &t), TAUT_REASON_BAD_TIME_STEP, 0, 0);
-    CHECK_FAILS(taut_time_step_value(mesh, (taut_time_step){.value = 1, .factor = 1}, &t), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    const taut_time_step both = {.value = 1, .factor = 1};
+    CHECK_FAILS(taut_time_step_value(mesh, both, &t), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK_FAILS(taut_time_step_value(mesh, (taut_time_step){.formula = 6}, &t), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK_FAILS(taut_time_step_value(mesh, (taut_time_step){.scale = 3}, &t), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK(t == -1);
