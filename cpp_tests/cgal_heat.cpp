@@ -61,7 +61,7 @@ static double mean_difference(const std::vector<double> &a, const std::vector<do
 
 // CGAL adds 1e-8 per corner to the diagonal of its Laplacian, to make it regular. That moves the distances by 1e-6 of
 // the largest on 500 vertices and by 7e-5 on 10,000. With 1e-13 in its place both agreed to 1e-9, but for fandisk on
-// intrinsic Delaunay (1.5e-5): its many cocircular corners leave the triangulation open.
+// intrinsic Delaunay (1.5e-5), where cocircular corners allow several triangulations.
 const double TOLERANCE = 2e-4;
 
 // The method's own error on these coarse meshes, as a share of the largest distance: 3.2e-2 at most was measured.
