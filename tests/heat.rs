@@ -127,7 +127,7 @@ fn bits(values: &[f64]) -> Vec<u64> {
 #[test]
 fn paper_bunny_reproduces_to_five_digits() {
     let Some(folder) = corpus() else { return };
-    let mesh = Mesh::read(&folder.join("paper_bunny_1.obj")).unwrap();
+    let mesh = Mesh::read(folder.join("paper_bunny_1.obj")).unwrap();
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for p in mesh.positions() {
         low = [0, 1, 2].map(|k| low[k].min(p[k]));
@@ -547,6 +547,6 @@ fn corpus_soups_are_survived() {
         "triceratops_slivers.off",
         "truck_nm.obj",
     ] {
-        assert!(survives(name, &Mesh::read(&folder.join(name)).unwrap()), "{name}");
+        assert!(survives(name, &Mesh::read(folder.join(name)).unwrap()), "{name}");
     }
 }

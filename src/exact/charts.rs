@@ -6,8 +6,8 @@
 //! product. No angle is needed but the sum at each vertex.
 //!
 //! A vertex is a *pseudo-source* where a shortest path can bend: its angles sum to more than 2π (π at a boundary), or
-//! its triangles do not form one closed or one open fan, or an edge at it has no length, so that a front crosses it
-//! without crossing an edge of positive length.
+//! its triangles do not form one closed or one open fan, or it has an edge that is almost nothing beside its others: a
+//! front may cross such an edge at its ends only.
 //!
 //! O(V + F) time; 24 bytes per half-edge.
 
@@ -32,6 +32,9 @@ const LEAST_HEIGHT: f64 = 1.0 / (1u64 << 48) as f64;
 
 /// Angles are summed to about this accuracy; a vertex that is flat up to it is not a pseudo-source.
 const ANGLE_TOLERANCE: f64 = 1e-9;
+
+/// An edge at a vertex that is shorter than this share of the longest one there makes the vertex a pseudo-source.
+const NEEDLE: f64 = 1e-6;
 
 /// The chart of every half-edge, in units of `scale`; those of ignored triangles are never used.
 pub(crate) fn charts(mesh: &Mesh, scale: Scale) -> Vec<Chart> {
@@ -80,10 +83,12 @@ pub(crate) fn pseudo_sources(mesh: &Mesh, charts: &[Chart]) -> Vec<bool> {
         .map(|v| {
             let corners = topology.corners.row(v);
             let angle: f64 = corners.iter().map(|&h| corner_angle(&charts[h as usize])).sum();
-            let has_no_length = |h: &u32| charts[*h as usize].length == 0.0 || charts[prev(*h) as usize].length == 0.0;
+            let lengths = corners.iter().flat_map(|&h| [charts[h as usize].length, charts[prev(h) as usize].length]);
+            let (short, long) = lengths.fold((f64::INFINITY, 0.0), |(s, l), x| (x.min(s), x.max(l)));
+            let has_needle = short <= NEEDLE * long;
             match fan(mesh, v) {
-                Fan::Closed => angle > 2.0 * PI + ANGLE_TOLERANCE || corners.iter().any(has_no_length),
-                Fan::Open => angle > PI + ANGLE_TOLERANCE || corners.iter().any(has_no_length),
+                Fan::Closed => angle > 2.0 * PI + ANGLE_TOLERANCE || has_needle,
+                Fan::Open => angle > PI + ANGLE_TOLERANCE || has_needle,
                 Fan::Other => true,
             }
         })

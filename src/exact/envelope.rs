@@ -14,9 +14,6 @@
 
 use super::window::Window;
 
-/// A remembered path is only displaced by one that is shorter by this share: more than the rounding of a few crossings.
-const NEWS: f64 = 1e-14;
-
 /// Trims windows of one half-edge in place; `scratch` is overwritten.
 pub(crate) fn trim(windows: &mut Vec<Window>, scratch: &mut Vec<Window>) {
     if windows.len() < 2 {
@@ -32,11 +29,23 @@ pub(crate) fn trim(windows: &mut Vec<Window>, scratch: &mut Vec<Window>) {
     std::mem::swap(windows, scratch);
 }
 
-/// Keeps of the windows what is shorter than anything in `memory`, which is disjoint and sorted, and remembers it.
-pub(crate) fn keep_news(memory: &mut Vec<Window>, windows: &mut Vec<Window>, scratch: &mut Vec<Window>) {
+/// What `memory` leaves of a window is dropped below this share of its width.
+const LEAST_NEWS: f64 = 1e-7;
+
+/// Keeps of the windows what is shorter than anything in `memory` by the share `margin`, and remembers it there.
+///
+/// Where a window is cut down to next to nothing, the rest is dropped: between two edges that almost coincide such a
+/// rest would creep along by its own width at every crossing. A path that the rest would have carried bends at its end
+/// instead, which makes it longer by the square of that share only.
+pub(crate) fn keep_news(memory: &mut Vec<Window>, windows: &mut Vec<Window>, scratch: &mut Vec<Window>, margin: f64) {
     scratch.clear();
     for window in windows.iter() {
-        insert(memory, *window, NEWS, |piece| scratch.push(piece));
+        let least = LEAST_NEWS * (window.b1 - window.b0);
+        insert(memory, *window, margin, |piece| {
+            if piece.b1 - piece.b0 >= least {
+                scratch.push(piece);
+            }
+        });
     }
     std::mem::swap(windows, scratch);
 }

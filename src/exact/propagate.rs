@@ -55,6 +55,9 @@ pub(crate) struct Front<'a> {
     crossed: u64,
 }
 
+/// In slivers, paths that differ by this share are equal: more than the rounding of a few crossings.
+pub(super) const TIE: f64 = 1e-14;
+
 /// How often the control is consulted: every so many settled vertices.
 const CHECK_EVERY: usize = 256;
 
@@ -214,7 +217,7 @@ impl<'a> Front<'a> {
         self.drop_dominated(h, &mut windows);
         trim(&mut windows, &mut self.scratch);
         if self.solver.sliver[(h / 3) as usize] {
-            keep_news(self.memory.entry(h).or_default(), &mut windows, &mut self.scratch);
+            keep_news(self.memory.entry(h).or_default(), &mut windows, &mut self.scratch, TIE);
         }
         self.crossed += windows.len() as u64;
         self.throw(h, &windows, self.split_point(h, entry));
@@ -224,12 +227,17 @@ impl<'a> Front<'a> {
     }
 
     /// Drops windows that a path over an end of the edge beats at each of their points: by the triangle inequality it
-    /// does if it does at the far end of the window.
+    /// does if it does at the far end of the window. In a sliver a tie is enough: rays that graze an edge from its own
+    /// end would wind around the sliver for ever, and where an end is that close to a pseudo-source it is one itself.
     fn drop_dominated(&self, h: u32, windows: &mut Vec<Window>) {
         let [a, b] = [start(self.solver.mesh.triangles(), h), start(self.solver.mesh.triangles(), next(h))];
         let (at_a, at_b) = (self.label[a as usize], self.label[b as usize]);
         let length = self.solver.charts[h as usize].length;
-        windows.retain(|w| at_a + w.b1 >= w.distance(w.b1) && at_b + (length - w.b0) >= w.distance(w.b0));
+        let allowed = if self.solver.sliver[(h / 3) as usize] { 1.0 - TIE } else { 1.0 };
+        windows.retain(|w| {
+            let (over_a, over_b) = (at_a + w.b1, at_b + (length - w.b0));
+            over_a * allowed >= w.distance(w.b1) && over_b * allowed >= w.distance(w.b0)
+        });
     }
 
     /// p*: where the shortest known path over this edge to the apex crosses it. The ends of the edge count too.
