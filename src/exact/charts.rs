@@ -6,8 +6,8 @@
 //! product. No angle is needed but the sum at each vertex.
 //!
 //! A vertex is a *pseudo-source* where a shortest path can bend: its angles sum to more than 2π (π at a boundary), or
-//! its triangles do not form one closed or one open fan, or it has an edge that is almost nothing beside its others: a
-//! front may cross such an edge at its ends only.
+//! its triangles do not form one closed or one open fan, or one of them is a sliver: there rounding decides on which side
+//! of the vertex a straight line passes, and neither side may be left out. A pseudo-source too many costs time only.
 //!
 //! O(V + F) time; 24 bytes per half-edge.
 
@@ -32,9 +32,6 @@ const LEAST_HEIGHT: f64 = 1.0 / (1u64 << 48) as f64;
 
 /// Angles are summed to about this accuracy; a vertex that is flat up to it is not a pseudo-source.
 const ANGLE_TOLERANCE: f64 = 1e-9;
-
-/// An edge at a vertex that is shorter than this share of the longest one there makes the vertex a pseudo-source.
-const NEEDLE: f64 = 1e-6;
 
 /// The chart of every half-edge, in units of `scale`; those of ignored triangles are never used.
 pub(crate) fn charts(mesh: &Mesh, scale: Scale) -> Vec<Chart> {
@@ -72,23 +69,32 @@ const SLIVER_HEIGHT: f64 = 1e-6;
 pub(crate) fn slivers(charts: &[Chart]) -> Vec<bool> {
     charts
         .chunks_exact(3)
-        .map(|triangle| triangle.iter().any(|chart| chart.ty < SLIVER_HEIGHT * chart.length))
+        .map(|triangle| triangle.iter().any(|chart| chart.ty <= SLIVER_HEIGHT * chart.length))
         .collect()
 }
 
+/// Which triangles must remember what crossed them: slivers, and those on an edge that has more than two triangles, where
+/// every crossing multiplies the windows.
+pub(crate) fn remembering(mesh: &Mesh, sliver: &[bool]) -> Vec<bool> {
+    let mut remembers = sliver.to_vec();
+    let halfedges = &mesh.topology().halfedges;
+    for h in (0..halfedges.rows()).map(|e| halfedges.row(e)).filter(|row| row.len() > 2).flatten() {
+        remembers[(h / 3) as usize] = true;
+    }
+    remembers
+}
+
 /// Which vertices are pseudo-sources.
-pub(crate) fn pseudo_sources(mesh: &Mesh, charts: &[Chart]) -> Vec<bool> {
+pub(crate) fn pseudo_sources(mesh: &Mesh, charts: &[Chart], sliver: &[bool]) -> Vec<bool> {
     let topology = mesh.topology();
     (0..topology.corners.rows())
         .map(|v| {
             let corners = topology.corners.row(v);
             let angle: f64 = corners.iter().map(|&h| corner_angle(&charts[h as usize])).sum();
-            let lengths = corners.iter().flat_map(|&h| [charts[h as usize].length, charts[prev(h) as usize].length]);
-            let (short, long) = lengths.fold((f64::INFINITY, 0.0), |(s, l), x| (x.min(s), x.max(l)));
-            let has_needle = short <= NEEDLE * long;
             match fan(mesh, v) {
-                Fan::Closed => angle > 2.0 * PI + ANGLE_TOLERANCE || has_needle,
-                Fan::Open => angle > PI + ANGLE_TOLERANCE || has_needle,
+                _ if corners.iter().any(|&h| sliver[(h / 3) as usize]) => true,
+                Fan::Closed => angle > 2.0 * PI + ANGLE_TOLERANCE,
+                Fan::Open => angle > PI + ANGLE_TOLERANCE,
                 Fan::Other => true,
             }
         })

@@ -7,8 +7,9 @@
 //!
 //! n windows cost O(n log n) plus one comparison per overlap; what comes out is disjoint and sorted.
 //!
-//! [`keep_news`] trims against what crossed the half-edge before. Only slivers need that: a straight line may cross two
-//! triangles without area, back and forth, for ever, and grow no longer.
+//! [`Memory`] trims against what crossed the half-edge before. Slivers need that, as a straight line may cross two
+//! triangles without area, back and forth, for ever, and grow no longer; and edges with more than two triangles, at which
+//! the windows multiply. Elsewhere the labels of the vertices drop a window soon enough, and nothing is remembered.
 //!
 //! Reference: Mitchell, Mount, Papadimitriou 1987 (section 3, intervals of optimality).
 
@@ -29,25 +30,41 @@ pub(crate) fn trim(windows: &mut Vec<Window>, scratch: &mut Vec<Window>) {
     std::mem::swap(windows, scratch);
 }
 
-/// What `memory` leaves of a window is dropped below this share of its width.
-const LEAST_NEWS: f64 = 1e-7;
+/// What memory leaves of a window is dropped below this share of the window's width, or of its edge.
+const LEAST_REST: f64 = 1e-7;
+const LEAST_WIDTH: f64 = 1e-12;
 
-/// Keeps of the windows what is shorter than anything in `memory` by the share `margin`, and remembers it there.
-///
-/// Where a window is cut down to next to nothing, the rest is dropped: between two edges that almost coincide such a
-/// rest would creep along by its own width at every crossing. A path that the rest would have carried bends at its end
-/// instead, which makes it longer by the square of that share only.
-pub(crate) fn keep_news(memory: &mut Vec<Window>, windows: &mut Vec<Window>, scratch: &mut Vec<Window>, margin: f64) {
-    scratch.clear();
-    for window in windows.iter() {
-        let least = LEAST_NEWS * (window.b1 - window.b0);
-        insert(memory, *window, margin, |piece| {
-            if piece.b1 - piece.b0 >= least {
-                scratch.push(piece);
-            }
-        });
+/// What crossed the half-edges of triangles that remember; also the measure of what is news to them.
+pub(crate) struct Memory {
+    windows: Vec<Window>,
+    /// Least width of a window, and how much shorter than a remembered path a new one must be.
+    least: f64,
+    margin: f64,
+}
+
+impl Memory {
+    /// Nothing yet, on an edge of this length. Paths are equal if they differ by the share `tie`.
+    pub(crate) fn new(length: f64, tie: f64) -> Memory {
+        Memory { windows: Vec::new(), least: LEAST_WIDTH * length, margin: tie }
     }
-    std::mem::swap(windows, scratch);
+
+    /// Keeps of the windows what is shorter than anything remembered, and remembers it.
+    ///
+    /// Where a window is cut down to next to nothing, the rest is dropped: between two edges that almost coincide such
+    /// a rest would creep along by its own width at every crossing. A path that the rest would have carried bends at
+    /// its end instead, which makes it longer by the square of that share only.
+    pub(crate) fn keep_news(&mut self, windows: &mut Vec<Window>, scratch: &mut Vec<Window>) {
+        scratch.clear();
+        for window in windows.iter() {
+            let least = self.least.max(LEAST_REST * (window.b1 - window.b0));
+            insert(&mut self.windows, *window, self.margin, |piece| {
+                if piece.b1 - piece.b0 >= least {
+                    scratch.push(piece);
+                }
+            });
+        }
+        std::mem::swap(windows, scratch);
+    }
 }
 
 /// Inserts a window into a disjoint sorted list, at the points where it is shorter by the share `margin`; those pieces

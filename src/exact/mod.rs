@@ -47,6 +47,8 @@ pub(crate) struct Prepared {
     pseudo_source: Vec<bool>,
     /// Which triangles are slivers.
     sliver: Vec<bool>,
+    /// Which triangles remember the windows that crossed them.
+    remembers: Vec<bool>,
     longest_edge: f64,
 }
 
@@ -74,12 +76,21 @@ impl ExactSolver {
     pub fn new(mesh: &Mesh) -> Result<ExactSolver> {
         let scale = Scale::of(mesh);
         let charts = charts::charts(mesh, scale);
-        let pseudo_source = charts::pseudo_sources(mesh, &charts);
         let sliver = charts::slivers(&charts);
+        let pseudo_source = charts::pseudo_sources(mesh, &charts, &sliver);
+        let remembers = charts::remembering(mesh, &sliver);
         let edge_of = &mesh.topology().edge_of;
         let edges = charts.iter().zip(edge_of).filter(|&(_, &e)| e != crate::mesh::topology::NONE);
         let longest_edge = edges.map(|(chart, _)| chart.length).fold(0.0, f64::max);
-        Ok(ExactSolver(Arc::new(Prepared { mesh: mesh.clone(), scale, charts, pseudo_source, sliver, longest_edge })))
+        Ok(ExactSolver(Arc::new(Prepared {
+            mesh: mesh.clone(),
+            scale,
+            charts,
+            pseudo_source,
+            sliver,
+            remembers,
+            longest_edge,
+        })))
     }
 
     /// The distance of every vertex from the nearest of `sources`, each with its start distance.

@@ -19,7 +19,7 @@
 //! propagation", ACM TOG 35 (2016).
 
 use super::Prepared;
-use super::envelope::{keep_news, trim};
+use super::envelope::{Memory, trim};
 use super::window::{Entry, Window};
 use crate::control::Control;
 use crate::error::Result;
@@ -49,14 +49,14 @@ pub(crate) struct Front<'a> {
     free: Vec<u32>,
     /// Half-edges whose lists are to cross.
     queue: VecDeque<u32>,
-    /// What crossed the half-edges of slivers.
-    memory: HashMap<u32, Vec<Window>>,
+    /// What crossed each half-edge of the triangles that remember.
+    memory: HashMap<u32, Memory>,
     scratch: Vec<Window>,
     crossed: u64,
 }
 
 /// In slivers, paths that differ by this share are equal: more than the rounding of a few crossings.
-pub(super) const TIE: f64 = 1e-14;
+const TIE: f64 = 1e-14;
 
 /// How often the control is consulted: every so many settled vertices.
 const CHECK_EVERY: usize = 256;
@@ -216,8 +216,10 @@ impl<'a> Front<'a> {
         let entry = list.entry.take().unwrap_or(Entry::NONE);
         self.drop_dominated(h, &mut windows);
         trim(&mut windows, &mut self.scratch);
-        if self.solver.sliver[(h / 3) as usize] {
-            keep_news(self.memory.entry(h).or_default(), &mut windows, &mut self.scratch, TIE);
+        if self.solver.remembers[(h / 3) as usize] {
+            let length = self.solver.charts[h as usize].length;
+            let memory = self.memory.entry(h).or_insert_with(|| Memory::new(length, TIE));
+            memory.keep_news(&mut windows, &mut self.scratch);
         }
         self.crossed += windows.len() as u64;
         self.throw(h, &windows, self.split_point(h, entry));
@@ -227,16 +229,16 @@ impl<'a> Front<'a> {
     }
 
     /// Drops windows that a path over an end of the edge beats at each of their points: by the triangle inequality it
-    /// does if it does at the far end of the window. In a sliver a tie is enough: rays that graze an edge from its own
-    /// end would wind around the sliver for ever, and where an end is that close to a pseudo-source it is one itself.
+    /// does if it does at the far end of the window. In a sliver, whose corners are pseudo-sources and throw such rays
+    /// themselves, a tie is enough: rays that graze the edge would wind around the sliver for ever.
     fn drop_dominated(&self, h: u32, windows: &mut Vec<Window>) {
-        let [a, b] = [start(self.solver.mesh.triangles(), h), start(self.solver.mesh.triangles(), next(h))];
-        let (at_a, at_b) = (self.label[a as usize], self.label[b as usize]);
-        let length = self.solver.charts[h as usize].length;
-        let allowed = if self.solver.sliver[(h / 3) as usize] { 1.0 - TIE } else { 1.0 };
+        let solver = self.solver;
+        let [at_a, at_b] = [h, next(h)].map(|h| self.label[start(solver.mesh.triangles(), h) as usize]);
+        let length = solver.charts[h as usize].length;
+        let share = if solver.sliver[(h / 3) as usize] { 1.0 - TIE } else { 1.0 };
         windows.retain(|w| {
             let (over_a, over_b) = (at_a + w.b1, at_b + (length - w.b0));
-            over_a * allowed >= w.distance(w.b1) && over_b * allowed >= w.distance(w.b0)
+            over_a * share >= w.distance(w.b1) && over_b * share >= w.distance(w.b0)
         });
     }
 
