@@ -49,3 +49,8 @@ pub use mesh::input::{ElementType, Faces, IndexType, Rows, ScalarType};
 pub use mesh::io::MeshFormat;
 pub use mesh::shapes;
 pub use surface::point::Source;
+
+/// Keeps the README's program running.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
