@@ -13,6 +13,7 @@ pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
     let sources = sources(args)?;
     let (mesh, read) = measured("read", |_| Mesh::read(&args.mesh));
     let mesh = mesh.map_err(|error| format!("{}: {error}", args.mesh.display()))?;
+    warn_of_ignored(&mesh);
     args.target.map_or(Ok(()), |target| check_target(target, &mesh))?;
     let reference = args.reference.as_deref().map(|path| reference(path, &mesh)).transpose()?;
 
@@ -66,6 +67,13 @@ fn sources(args: &DistanceArgs) -> Result<Vec<Source>> {
     match &args.sources {
         Some(path) => numbers::sources(path),
         None => Ok(args.source.iter().map(|&vertex| Source::vertex(vertex)).collect()),
+    }
+}
+
+fn warn_of_ignored(mesh: &Mesh) {
+    if let [first, ..] = mesh.ignored_triangles() {
+        let count = mesh.ignored_triangles().len();
+        eprintln!("taut: warning: {count} triangles repeat a vertex and are ignored, the first is triangle {first}");
     }
 }
 

@@ -40,3 +40,18 @@ pub(crate) fn repeated_index(triangles: &[[u32; 3]]) -> Vec<u32> {
 pub(crate) fn repeats_index(&[a, b, c]: &[u32; 3]) -> bool {
     a == b || b == c || c == a
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn halfedges_fit_in_32_bits_with_one_number_to_spare() {
+        let most = (u32::MAX / 3) as usize;
+        assert_eq!(3 * most, u32::MAX as usize, "the last half-edge is MAX - 1, and MAX means none");
+        assert!(sizes(u32::MAX as usize, most).is_ok());
+        for (vertices, triangles) in [(0, most + 1), (u32::MAX as usize + 1, 0), (0, usize::MAX)] {
+            assert_eq!(sizes(vertices, triangles).unwrap_err().reason(), Reason::TooManyElements);
+        }
+    }
+}
