@@ -14,6 +14,10 @@
 //!   p* and goes to BC meets the segment from p* to C, and from there on is no shorter than the path over p*; so what
 //!   lies left of p* goes to AC only, what lies right of it to CB only. Each list of n windows throws n + 1 at most.
 //!
+//! Around *slivers* a straight line may cross triangles for ever without growing longer, and rounding decides on which
+//! side of a vertex it passes. There every vertex is a pseudo-source, ties are dropped, triangles remember what crossed
+//! them ([`Memory`]), and a pseudo-source that lies on an edge throws its windows beyond that edge.
+//!
 //! References: Xin, Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem", ACM TOG 28 (2009);
 //! Qin, Han, Yu, Yu, Zhang, "Fast and exact discrete geodesic computation based on triangle-oriented wavefront
 //! propagation", ACM TOG 35 (2016).
@@ -32,7 +36,8 @@ use std::collections::{BinaryHeap, HashMap, VecDeque};
 #[derive(Debug, Default)]
 struct List {
     windows: Vec<Window>,
-    entry: Option<Entry>,
+    /// The shortest path to the apex over any window that arrived.
+    entry: Entry,
     queued: bool,
 }
 
@@ -197,7 +202,7 @@ impl<'a> Front<'a> {
         }
         let list = self.list_of(h);
         list.windows.push(window);
-        list.entry = Some(list.entry.unwrap_or(Entry::NONE).min(entry));
+        list.entry = list.entry.min(entry);
         if self.is_settled(apex) {
             self.enqueue(h);
         }
@@ -220,7 +225,7 @@ impl<'a> Front<'a> {
         let list = &mut self.lists[id as usize];
         list.queued = false;
         let mut windows = std::mem::take(&mut list.windows);
-        let entry = list.entry.take().unwrap_or(Entry::NONE);
+        let entry = std::mem::take(&mut list.entry);
         self.drop_dominated(h, &mut windows);
         trim(&mut windows, &mut self.scratch);
         if self.solver.remembers[(h / 3) as usize] {
@@ -268,7 +273,7 @@ impl<'a> Front<'a> {
     }
 }
 
-/// A window that leaves a triangle by a half-edge, measured from the vertex `.1`.
+/// A window that leaves a triangle: by which half-edge, from which vertex it is measured, and the window.
 type Leaving = (u32, u32, Window);
 
 impl Prepared {

@@ -34,10 +34,14 @@ pub(crate) struct Entry {
     pub(crate) at: f64,
 }
 
-impl Entry {
-    /// No path yet.
-    pub(crate) const NONE: Entry = Entry { distance: f64::INFINITY, at: 0.0 };
+/// No path yet.
+impl Default for Entry {
+    fn default() -> Entry {
+        Entry { distance: f64::INFINITY, at: 0.0 }
+    }
+}
 
+impl Entry {
     /// The shorter of two paths.
     pub(crate) fn min(self, other: Entry) -> Entry {
         if other.distance < self.distance { other } else { self }
