@@ -316,7 +316,7 @@ typedef uint32_t taut_laplacian;
 
 /** How the distances get their zero. 0 means `TAUT_SHIFT_PINNED`. */
 typedef uint32_t taut_shift;
-/** Each source has exactly its start distance. */
+/** Each source has exactly its start distance, also where a way from another source is shorter than that. */
 #define TAUT_SHIFT_PINNED 1
 /** The least distance of each component is moved to the least start distance. */
 #define TAUT_SHIFT_MIN 2

@@ -43,7 +43,7 @@ pub const TAUT_LAPLACIAN_PLAIN: taut_laplacian = 2;
 
 /// How the distances get their zero. 0 means `TAUT_SHIFT_PINNED`.
 pub type taut_shift = u32;
-/// Each source has exactly its start distance.
+/// Each source has exactly its start distance, also where a way from another source is shorter than that.
 pub const TAUT_SHIFT_PINNED: taut_shift = 1;
 /// The least distance of each component is moved to the least start distance.
 pub const TAUT_SHIFT_MIN: taut_shift = 2;

@@ -49,8 +49,8 @@ pub enum Laplacian {
 /// What determines the constant that the Poisson problem leaves free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Shift {
-    /// The distance is the source's offset at every source, and nowhere less than the smallest of its component: the
-    /// default.
+    /// The distance is the source's offset at every source, also where the way from another source is shorter than that,
+    /// and nowhere less than the smallest offset of its component: the default.
     Pinned,
     /// The field is shifted so that its minimum in each component is the smallest offset there, as Crane's reference
     /// code does.
