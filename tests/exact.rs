@@ -314,6 +314,15 @@ fn powers_of_two_scale_every_bit() {
 }
 
 #[test]
+fn a_plane_so_far_away_that_its_units_overflow() {
+    // One coordinate is 1e300, the same for all; the others extend over 1e-100.
+    let (flat, triangles) = grid(4, |_, _| 0.0);
+    let far: Points = flat.iter().map(|&[x, y, _]| [x * 1e-100, y * 1e-100, 1e300]).collect();
+    let near: Points = far.iter().map(|&[x, y, _]| [x, y, 0.0]).collect();
+    assert_eq!(distances(&far, &triangles, 3), distances(&near, &triangles, 3));
+}
+
+#[test]
 fn targets_stop_early_with_final_distances() {
     let (points, triangles) = grid(40, rough);
     let full = field(&points, &triangles, &[Source::vertex(0)], &[]);

@@ -35,8 +35,8 @@ const ANGLE_TOLERANCE: f64 = 1e-9;
 
 /// The chart of every half-edge, in units of `scale`; those of ignored triangles are never used.
 pub(crate) fn charts(mesh: &Mesh, scale: Scale) -> Vec<Chart> {
-    let unit = |v: u32| mesh.positions()[v as usize].map(|x| scale.to_unit(x));
-    mesh.triangles().iter().flat_map(|t| triangle_charts(t.map(unit))).collect()
+    let positions = scale.unit_positions(mesh);
+    mesh.triangles().iter().flat_map(|t| triangle_charts(t.map(|v| positions[v as usize]))).collect()
 }
 
 fn triangle_charts([a, b, c]: [[f64; 3]; 3]) -> [Chart; 3] {
@@ -86,19 +86,19 @@ pub(crate) fn remembering(mesh: &Mesh, sliver: &[bool]) -> Vec<bool> {
 
 /// Which vertices are pseudo-sources.
 pub(crate) fn pseudo_sources(mesh: &Mesh, charts: &[Chart], sliver: &[bool]) -> Vec<bool> {
-    let topology = mesh.topology();
-    (0..topology.corners.rows())
-        .map(|v| {
-            let corners = topology.corners.row(v);
-            let angle: f64 = corners.iter().map(|&h| corner_angle(&charts[h as usize])).sum();
-            match fan(mesh, v) {
-                _ if corners.iter().any(|&h| sliver[(h / 3) as usize]) => true,
-                Fan::Closed => angle > 2.0 * PI + ANGLE_TOLERANCE,
-                Fan::Open => angle > PI + ANGLE_TOLERANCE,
-                Fan::Other => true,
-            }
-        })
-        .collect()
+    let is_pseudo_source = |v: u32| {
+        let corners = mesh.topology().corners.row(v);
+        if corners.iter().any(|&h| sliver[(h / 3) as usize]) {
+            return true;
+        }
+        let flat = match fan(mesh, v) {
+            Fan::Closed => 2.0 * PI,
+            Fan::Open => PI,
+            Fan::Other => return true,
+        };
+        corners.iter().map(|&h| corner_angle(&charts[h as usize])).sum::<f64>() > flat + ANGLE_TOLERANCE
+    };
+    (0..mesh.topology().corners.rows()).map(is_pseudo_source).collect()
 }
 
 /// The angle where the chart's half-edge starts.
