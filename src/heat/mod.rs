@@ -6,7 +6,8 @@
 //! 3.  L φ = -∇·X              the function whose gradient comes nearest to X: the distance
 //! ```
 //!
-//! M lumped mass, L cotangent stiffness (positive semidefinite), u heat, t time step, X unit field, φ distance.
+//! M lumped mass, L cotangent stiffness (positive semidefinite), u heat, t time step, X unit field, φ distance. Step 2
+//! takes the magnitude of u, which is positive but where cotangents are negative.
 //!
 //! The result is approximate: on good meshes the mean error is about one percent, and it falls as the mesh is refined.
 //!
