@@ -1,7 +1,9 @@
 //! Heat and exact are each other's witness; straight lines and edge paths are the witnesses of both.
 
+mod common;
+
+use common::corpus;
 use std::collections::BinaryHeap;
-use std::path::PathBuf;
 use taut::{Control, ExactOptions, ExactSolver, HeatOptions, HeatSolver, Mesh, Source, shapes};
 
 fn exact(mesh: &Mesh, source: u32) -> Vec<f64> {
@@ -103,12 +105,7 @@ fn the_error_of_heat_falls_under_refinement() {
 
 #[test]
 fn both_methods_answer_every_mesh_of_the_corpus() {
-    let folder = std::env::var_os("TAUT_CORPUS")
-        .map_or_else(|| PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/meshes")), PathBuf::from);
-    if !folder.is_dir() {
-        eprintln!("skipped: no corpus in {}", folder.display());
-        return;
-    }
+    let Some(folder) = corpus() else { return };
     let mut seen = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

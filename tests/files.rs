@@ -1,7 +1,9 @@
 //! Mesh files: what is kept of them, and what is said of broken ones.
 
+mod common;
+
+use common::corpus;
 use std::io::Write;
-use std::path::{Path, PathBuf};
 use taut::{Element, Error, Mesh, MeshFormat, Reason};
 
 const FORMATS: [MeshFormat; 3] = [MeshFormat::Obj, MeshFormat::Off, MeshFormat::Ply];
@@ -299,12 +301,8 @@ fn a_file_without_a_head_or_a_vertex_is_no_mesh_file() {
 
 #[test]
 fn every_mesh_of_the_corpus_has_the_counts_of_its_table() {
-    let folder = std::env::var_os("TAUT_CORPUS")
-        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/meshes"), PathBuf::from);
-    let Ok(table) = std::fs::read_to_string(folder.join("meshes.tsv")) else {
-        eprintln!("skipped: there is no {}", folder.join("meshes.tsv").display());
-        return;
-    };
+    let Some(folder) = corpus() else { return };
+    let table = std::fs::read_to_string(folder.join("meshes.tsv")).unwrap();
     for line in table.lines().skip(1) {
         let columns: Vec<&str> = line.split('\t').collect();
         let mesh = Mesh::read(folder.join(columns[0])).unwrap();

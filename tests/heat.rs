@@ -1,23 +1,14 @@
 //! The heat method against closed forms, the paper, itself, and meshes that break other codes.
 
-use std::path::PathBuf;
+mod common;
+
+use common::corpus;
 use taut::{
     Control, Element, Error, ExactOptions, ExactSolver, HeatOptions, HeatSolver, Laplacian, Mesh, Reason, Shift,
     Solver, Source, TimeFormula, TimeScale, TimeStep,
 };
 
 // ---------------------------------------------------------------------------------------------------------- meshes
-
-/// The corpus, if it is there.
-fn corpus() -> Option<PathBuf> {
-    let beside = || PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/meshes"));
-    let folder = std::env::var_os("TAUT_CORPUS").map_or_else(beside, PathBuf::from);
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    eprintln!("skipped: no corpus in {}", folder.display());
-    None
-}
 
 /// Positions and triangles, still to be changed.
 type Buffers = (Vec<[f64; 3]>, Vec<[u32; 3]>);
