@@ -1,49 +1,19 @@
-//! The command line.
+//! Options that several commands share.
 
+use crate::Cli;
 use clap::error::ErrorKind;
-use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory, ValueEnum};
 use std::path::PathBuf;
 use taut::{HeatOptions, Laplacian, Shift, Solver, TimeFormula, TimeScale, TimeStep};
 
-/// Geodesic distances on triangle meshes: how far it is along the surface.
-#[derive(Debug, Parser)]
-#[command(name = "taut", version)]
-pub(crate) struct Cli {
-    #[command(subcommand)]
-    pub(crate) command: Command,
-}
-
-#[derive(Debug, Subcommand)]
-pub(crate) enum Command {
-    Distance(DistanceArgs),
-}
-
-const EXAMPLES: &str = "\
-Examples:
-  taut distance bunny.obj --source 0
-      the distance of every vertex from vertex 0, one a line, on standard output
-  taut distance bunny.obj --source 0 --method exact -o exact.txt
-      the exact distances, into a file
-  taut distance bunny.obj --source 0 --reference exact.txt --json
-      how far the heat method is from them, and how long it took
-  taut distance bunny.obj --source 0 --method exact --target 4711
-      the distance of one vertex
-
-Exit code: 0 success, 1 failure, 2 a command line that makes no sense.";
-
-/// Distance of each vertex of a mesh from one or more source vertices
-///
-/// Writes one distance a line, in the order of the vertices and in the units of the mesh:
-/// the shortest decimal that reads back to the same number, or inf where no source can be reached.
-/// Vertices count from 0.
+/// A field of distances: on which mesh, from where and how.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES, verbatim_doc_comment)]
-pub(crate) struct DistanceArgs {
+pub(crate) struct FieldArgs {
     /// Mesh file: .obj, .off or .ply, also with .gz behind it
     pub(crate) mesh: PathBuf,
 
     /// Source vertex; may be given several times, for the distance to the nearest
-    #[arg(long = "source", value_name = "V", required_unless_present = "sources", conflicts_with = "sources")]
+    #[arg(long = "source", value_name = "V", conflicts_with = "sources")]
     pub(crate) source: Vec<u32>,
 
     /// File of sources, one a line: vertex and, if wanted, start distance; # begins a comment
@@ -54,32 +24,14 @@ pub(crate) struct DistanceArgs {
     #[arg(long, value_enum, default_value_t = Method::Heat)]
     pub(crate) method: Method,
 
-    /// Write only the distance of this vertex; the exact method stops as soon as it knows it
-    #[arg(long, value_name = "V")]
-    pub(crate) target: Option<u32>,
-
-    /// Compare with the distances of this file, one a line:
-    /// mean, median and maximum error in percent, on standard error
-    #[arg(verbatim_doc_comment, long, value_name = "FILE")]
-    pub(crate) reference: Option<PathBuf>,
-
-    /// Write the distances to this file instead of standard output
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON object on standard output: counts, time step, largest distance, seconds of
-    /// work, and with --reference the errors; distances are then written to --output only
-    #[arg(verbatim_doc_comment, long)]
-    pub(crate) json: bool,
-
-    // Last: the heading of these options stays in force for whatever follows.
     #[command(flatten)]
     pub(crate) heat: HeatArgs,
 }
 
+const HEAT: &str = "Options of the heat method";
+
 /// Each is `None` where it was not given, so that the exact method can refuse it.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Options of the heat method")]
 pub(crate) struct HeatArgs {
     /// How long heat flows, t; less is sharper, more is smoother. With the mean ē and standard
     /// deviation σ of the edge lengths, and the numbers of the paper's equations:
@@ -89,31 +41,31 @@ pub(crate) struct HeatArgs {
     ///   median-fit   1.01204 σ - 0.0001 (4)
     ///   median-mean  (ē² + 1.01204 σ - 0.0001) / 2 (5)
     ///   a number     t itself, in the mesh's units squared
-    #[arg(verbatim_doc_comment, long, value_name = "FORMULA|T", value_parser = time_step, allow_negative_numbers = true)]
+    #[arg(verbatim_doc_comment, help_heading = HEAT, long, value_name = "FORMULA|T", value_parser = time_step, allow_negative_numbers = true)]
     time_step: Option<TimeStepArg>,
 
     /// Units in which a formula is evaluated [default: paper]
-    #[arg(long, value_enum, value_name = "SCALE")]
+    #[arg(help_heading = HEAT, long, value_enum, value_name = "SCALE")]
     time_scale: Option<TimeScaleArg>,
 
     /// Multiply a formula's t by this [default: 1]
-    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    #[arg(help_heading = HEAT, long, value_name = "M", allow_negative_numbers = true)]
     time_factor: Option<f64>,
 
     /// Laplacian of the heat flow [default: intrinsic]
-    #[arg(long, value_enum)]
+    #[arg(help_heading = HEAT, long, value_enum)]
     laplacian: Option<LaplacianArg>,
 
     /// Library that solves the linear systems [default: faer]
-    #[arg(long, value_enum)]
+    #[arg(help_heading = HEAT, long, value_enum)]
     solver: Option<SolverArg>,
 
     /// Heat at the boundary of the mesh: from 0, none leaves, to 1, all is swallowed [default: 0]
-    #[arg(long, value_name = "B", allow_negative_numbers = true)]
+    #[arg(help_heading = HEAT, long, value_name = "B", allow_negative_numbers = true)]
     boundary: Option<f64>,
 
     /// Where distances begin [default: pinned]
-    #[arg(long, value_enum)]
+    #[arg(help_heading = HEAT, long, value_enum)]
     shift: Option<ShiftArg>,
 }
 
@@ -177,15 +129,20 @@ fn time_step(text: &str) -> Result<TimeStepArg, String> {
     }))
 }
 
-impl DistanceArgs {
+impl FieldArgs {
     /// Refuses what clap cannot see by itself.
     pub(crate) fn check(&self) -> Result<(), clap::Error> {
-        let conflict = |message: String| Err(Cli::command().error(ErrorKind::ArgumentConflict, message));
+        let error = |kind, message: &str| Err(Cli::command().error(kind, message));
+        if self.source.is_empty() && self.sources.is_none() {
+            return error(ErrorKind::MissingRequiredArgument, "give at least one --source, or a file of --sources");
+        }
         if let (Method::Exact, Some(option)) = (self.method, self.heat.first_given()) {
-            return conflict(format!("{option} belongs to the heat method and means nothing with --method exact"));
+            let message = format!("{option} belongs to the heat method and means nothing with --method exact");
+            return error(ErrorKind::ArgumentConflict, &message);
         }
         if let (Some(TimeStepArg::Value(_)), Some(_)) = (self.heat.time_step, self.heat.time_factor) {
-            return conflict("--time-factor multiplies a formula's t; --time-step gives t as a number".to_owned());
+            let message = "--time-factor multiplies a formula's t; --time-step gives t as a number";
+            return error(ErrorKind::ArgumentConflict, message);
         }
         Ok(())
     }

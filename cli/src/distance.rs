@@ -1,27 +1,68 @@
 //! `taut distance`: reads, computes, and only then writes, so that a failure leaves nothing behind.
 
-use crate::Result;
-use crate::args::{DistanceArgs, Method};
+use crate::args::FieldArgs;
 use crate::comparison::Errors;
-use crate::measured::{Seconds, measured};
-use crate::numbers;
+use crate::field::Field;
+use crate::measured::Seconds;
 use crate::output::{self, Report, Timing};
-use std::path::Path;
-use taut::{Element, Error, ExactOptions, ExactSolver, HeatSolver, Mesh, Reason, Source};
+use crate::{Result, input};
+use clap::Args;
+use std::path::PathBuf;
+use taut::{Element, Error, Mesh, Reason};
+
+const EXAMPLES: &str = "\
+Examples:
+  taut distance bunny.obj --source 0
+      the distance of every vertex from vertex 0, one a line, on standard output
+  taut distance bunny.obj --source 0 --method exact -o exact.txt
+      the exact distances, into a file
+  taut distance bunny.obj --source 0 --reference exact.txt --json
+      how far the heat method is from them, and how long it took
+  taut distance bunny.obj --source 0 --method exact --target 4711
+      the distance of one vertex
+
+Exit code: 0 success, 1 failure, 2 a command line that makes no sense.";
+
+/// Distance of each vertex of a mesh from one or more source vertices
+///
+/// Writes one distance a line, in the order of the vertices and in the units of the mesh:
+/// the shortest decimal that reads back to the same number, or inf where no source can be reached.
+/// Vertices count from 0.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES, verbatim_doc_comment)]
+pub(crate) struct DistanceArgs {
+    #[command(flatten)]
+    pub(crate) field: FieldArgs,
+
+    /// Write only the distance of this vertex; the exact method stops as soon as it knows it
+    #[arg(long, value_name = "V")]
+    target: Option<u32>,
+
+    /// Compare with the distances of this file, one a line:
+    /// mean, median and maximum error in percent, on standard error
+    #[arg(verbatim_doc_comment, long, value_name = "FILE")]
+    reference: Option<PathBuf>,
+
+    /// Write the distances to this file instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+
+    /// Print one JSON object on standard output: counts, time step, largest distance, seconds of
+    /// work, and with --reference the errors; distances are then written to --output only
+    #[arg(verbatim_doc_comment, long)]
+    json: bool,
+}
 
 pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
-    let sources = sources(args)?;
-    let (mesh, read) = measured("read", |_| Mesh::read(&args.mesh));
-    let mesh = mesh.map_err(|error| format!("{}: {error}", args.mesh.display()))?;
-    warn_of_ignored(&mesh);
+    let sources = input::sources(&args.field)?;
+    let (mesh, read) = input::mesh(&args.field.mesh)?;
     args.target.map_or(Ok(()), |target| check_target(target, &mesh))?;
-    let reference = args.reference.as_deref().map(|path| reference(path, &mesh)).transpose()?;
+    let reference = args.reference.as_deref().map(|path| input::distances(path, &mesh)).transpose()?;
 
-    let field = match args.method {
-        Method::Heat => heat(args, &mesh, &sources),
-        Method::Exact => exact(args, &mesh, &sources),
-    }
-    .map_err(|error| error.to_string())?;
+    // Errors and the JSON object are about every vertex.
+    let is_all_wanted = args.json || args.reference.is_some();
+    let targets = args.target.filter(|_| !is_all_wanted).into_iter().collect();
+    let field = Field::compute(&args.field, &mesh, &sources, targets).map_err(|error| error.to_string())?;
 
     let errors = reference.map(|reference| Errors::new(&field.distances, &reference));
     write(args, &field.distances)?;
@@ -36,47 +77,6 @@ pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
     Ok(())
 }
 
-/// What a method found, and what it took.
-struct Field {
-    distances: Vec<f64>,
-    time_step: Option<f64>,
-    setup: Seconds,
-    solve: Seconds,
-}
-
-fn heat(args: &DistanceArgs, mesh: &Mesh, sources: &[Source]) -> taut::Result<Field> {
-    let options = args.heat.options();
-    let (solver, setup) = measured("setup", |control| HeatSolver::new(mesh, &options, control));
-    let solver = solver?;
-    let (distances, solve) = measured("solve", |control| solver.distances(sources, control));
-    Ok(Field { distances: distances?, time_step: Some(solver.time_step()), setup, solve })
-}
-
-fn exact(args: &DistanceArgs, mesh: &Mesh, sources: &[Source]) -> taut::Result<Field> {
-    // Errors and the JSON object are about every vertex.
-    let is_all_wanted = args.json || args.reference.is_some();
-    let targets = args.target.filter(|_| !is_all_wanted).into_iter().collect();
-    let (solver, setup) = measured("setup", |_| ExactSolver::new(mesh));
-    let solver = solver?;
-    let options = ExactOptions { targets };
-    let (field, solve) = measured("solve", |control| solver.field(sources, &options, control));
-    Ok(Field { distances: field?.distances().to_vec(), time_step: None, setup, solve })
-}
-
-fn sources(args: &DistanceArgs) -> Result<Vec<Source>> {
-    match &args.sources {
-        Some(path) => numbers::sources(path),
-        None => Ok(args.source.iter().map(|&vertex| Source::vertex(vertex)).collect()),
-    }
-}
-
-fn warn_of_ignored(mesh: &Mesh) {
-    if let [first, ..] = mesh.ignored_triangles() {
-        let count = mesh.ignored_triangles().len();
-        eprintln!("taut: warning: {count} triangles repeat a vertex and are ignored, the first is triangle {first}");
-    }
-}
-
 fn check_target(target: u32, mesh: &Mesh) -> Result<()> {
     let vertices = mesh.vertex_count();
     if (target as usize) < vertices {
@@ -84,15 +84,6 @@ fn check_target(target: u32, mesh: &Mesh) -> Result<()> {
     }
     let message = format!("is vertex {target}, but the mesh has {vertices} vertices");
     Err(Error::at(Reason::VertexOutOfRange, Element::Target(0), message).to_string())
-}
-
-fn reference(path: &Path, mesh: &Mesh) -> Result<Vec<f64>> {
-    let reference = numbers::distances(path)?;
-    let [given, needed] = [reference.len(), mesh.vertex_count()];
-    if given == needed {
-        return Ok(reference);
-    }
-    Err(format!("{}: has {given} distances, but the mesh has {needed} vertices", path.display()))
 }
 
 /// Writes all distances or the target's to the file or, unless JSON goes there, to standard output.
