@@ -38,6 +38,7 @@ mod linear;
 mod mesh;
 mod metric;
 mod operators;
+mod report;
 mod surface;
 
 pub use control::Control;
@@ -48,6 +49,7 @@ pub use mesh::Mesh;
 pub use mesh::input::{ElementType, Faces, IndexType, Rows, ScalarType};
 pub use mesh::io::MeshFormat;
 pub use mesh::shapes;
+pub use report::{Angle, BoundaryLoop, Component, MeshReport, Properties};
 pub use surface::point::Source;
 
 /// Keeps the README's program running.

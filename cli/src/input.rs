@@ -7,10 +7,15 @@ use crate::numbers;
 use std::path::Path;
 use taut::{Mesh, Source};
 
-/// The mesh of a file; warns of triangles that are ignored.
-pub(crate) fn mesh(path: &Path) -> Result<(Mesh, Seconds)> {
+/// The mesh of a file.
+pub(crate) fn read(path: &Path) -> Result<(Mesh, Seconds)> {
     let (mesh, seconds) = measured("read", |_| Mesh::read(path));
-    let mesh = mesh.map_err(|error| format!("{}: {error}", path.display()))?;
+    Ok((mesh.map_err(|error| format!("{}: {error}", path.display()))?, seconds))
+}
+
+/// The mesh of a file to measure on; warns of triangles that are ignored.
+pub(crate) fn mesh(path: &Path) -> Result<(Mesh, Seconds)> {
+    let (mesh, seconds) = read(path)?;
     if let [first, ..] = mesh.ignored_triangles() {
         let count = mesh.ignored_triangles().len();
         eprintln!("taut: warning: {count} triangles repeat a vertex and are ignored, the first is triangle {first}");

@@ -6,6 +6,7 @@ mod args;
 mod comparison;
 mod distance;
 mod field;
+mod info;
 mod input;
 mod measured;
 mod numbers;
@@ -28,6 +29,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Distance(distance::DistanceArgs),
+    Info(info::InfoArgs),
 }
 
 impl Command {
@@ -35,12 +37,14 @@ impl Command {
     fn check(&self) -> std::result::Result<(), clap::Error> {
         match self {
             Command::Distance(args) => args.field.check(),
+            Command::Info(_) => Ok(()),
         }
     }
 
     fn run(&self) -> Result<()> {
         match self {
             Command::Distance(args) => distance::run(args),
+            Command::Info(args) => info::run(args),
         }
     }
 }

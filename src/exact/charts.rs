@@ -12,8 +12,8 @@
 //! O(V + F) time; 24 bytes per half-edge.
 
 use crate::mesh::Mesh;
-use crate::mesh::topology::{Topology, next, prev, start};
-use crate::metric::Scale;
+use crate::mesh::fan::{Fan, fan};
+use crate::metric::{Scale, cross, dot, minus};
 use std::f64::consts::PI;
 
 /// A triangle laid flat along one of its half-edges.
@@ -104,85 +104,4 @@ pub(crate) fn pseudo_sources(mesh: &Mesh, charts: &[Chart], sliver: &[bool]) -> 
 /// The angle where the chart's half-edge starts.
 fn corner_angle(chart: &Chart) -> f64 {
     chart.ty.atan2(chart.tx)
-}
-
-/// How the triangles at a vertex lie around it.
-enum Fan {
-    /// They form one cycle.
-    Closed,
-    /// They form one chain between two boundary edges.
-    Open,
-    /// There are none, several fans, or an edge with more than two triangles.
-    Other,
-}
-
-fn fan(mesh: &Mesh, v: u32) -> Fan {
-    let corners = mesh.topology().corners.row(v);
-    let Some(&first) = corners.first() else { return Fan::Other };
-    let (turn, end) = walk(mesh, v, first, first);
-    match end {
-        WalkEnd::Closed if turn == corners.len() => Fan::Closed,
-        WalkEnd::Boundary => match walk(mesh, v, first, prev(first)) {
-            (back, WalkEnd::Boundary) if turn + back - 1 == corners.len() => Fan::Open,
-            _ => Fan::Other,
-        },
-        _ => Fan::Other,
-    }
-}
-
-enum WalkEnd {
-    Closed,
-    Boundary,
-    NonManifold,
-}
-
-/// Walks around `v` from the corner at half-edge `first`, leaving each triangle by the edge at `v` it was not entered
-/// by, `leave` first: how many corners were visited, and what ended it.
-fn walk(mesh: &Mesh, v: u32, first: u32, leave: u32) -> (usize, WalkEnd) {
-    let topology = mesh.topology();
-    let (mut leave, mut visited) = (leave, 1);
-    loop {
-        let beyond = match topology.others(leave) {
-            Others::None => return (visited, WalkEnd::Boundary),
-            Others::One(h) => h,
-            Others::Many => return (visited, WalkEnd::NonManifold),
-        };
-        // In the next triangle the two half-edges at v are the corner's own and the one before it.
-        let starts_here = start(mesh.triangles(), beyond) == v;
-        let (corner, exit) = if starts_here { (beyond, prev(beyond)) } else { (next(beyond), next(beyond)) };
-        if corner == first {
-            return (visited, WalkEnd::Closed);
-        }
-        visited += 1;
-        leave = exit;
-    }
-}
-
-enum Others {
-    None,
-    One(u32),
-    Many,
-}
-
-impl Topology {
-    /// The half-edges on the edge of `h` besides `h`.
-    fn others(&self, h: u32) -> Others {
-        match self.halfedges.row(self.edge_of[h as usize]) {
-            [_] => Others::None,
-            &[a, b] => Others::One(if a == h { b } else { a }),
-            _ => Others::Many,
-        }
-    }
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| a[k] - b[k])
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

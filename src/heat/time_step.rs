@@ -23,9 +23,6 @@ use crate::error::{Error, Reason, Result};
 use crate::mesh::Mesh;
 use crate::metric::{Scale, stats::EdgeStats};
 
-/// The bounding-box diagonal of the paper's meshes.
-const PAPER_DIAGONAL: f64 = 24.976;
-
 /// A formula must give at least this share of ē²: Eq. 2 gives 0 where all edges are equal, Eq. 4 less than 0.
 const LEAST_SHARE: f64 = 1e-6;
 
@@ -122,7 +119,7 @@ fn formula_value(mesh: &Mesh, formula: TimeFormula, time_scale: TimeScale) -> Re
     // In units, which neither overflow nor vanish when squared.
     let t = match time_scale {
         TimeScale::Paper => {
-            let s = PAPER_DIAGONAL / edges.diagonal;
+            let s = edges.paper_scale();
             formula.evaluate(s * edges.mean, s * edges.sigma) / (s * s)
         }
         TimeScale::Raw => {

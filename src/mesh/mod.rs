@@ -7,6 +7,7 @@
 //! numbers do not shift, but it is *ignored*: nothing travels over it. Such triangles are listed by
 //! [`Mesh::ignored_triangles`].
 
+pub(crate) mod fan;
 pub(crate) mod input;
 pub(crate) mod io;
 pub mod shapes;

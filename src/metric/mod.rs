@@ -35,9 +35,24 @@ impl Metric {
 }
 
 /// The distance of two points in units.
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let [x, y, z] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-    (x * x + y * y + z * z).sqrt()
+pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let between = minus(a, b);
+    dot(between, between).sqrt()
+}
+
+/// a - b.
+pub(crate) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| a[k] - b[k])
+}
+
+/// a · b.
+pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// a × b.
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// The area of a triangle with these edge lengths, by Kahan's arrangement of Heron's formula, which is accurate for

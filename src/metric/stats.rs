@@ -14,6 +14,14 @@ pub(crate) struct EdgeStats {
     pub(crate) diagonal: f64,
 }
 
+/// The bounding-box diagonal of the paper's meshes.
+const PAPER_DIAGONAL: f64 = 24.976;
+
+/// The length of each edge of the input mesh.
+pub(crate) fn edge_lengths(mesh: &Mesh, positions: &[[f64; 3]]) -> impl Iterator<Item = f64> {
+    mesh.topology().edges.iter().map(|&[a, b]| distance(positions[a as usize], positions[b as usize]))
+}
+
 impl EdgeStats {
     /// Over the edges of the input mesh, whatever triangulation is computed on later; None where there is no edge.
     pub(crate) fn of(mesh: &Mesh, scale: Scale) -> Option<EdgeStats> {
@@ -22,7 +30,7 @@ impl EdgeStats {
             return None;
         }
         let positions = scale.unit_positions(mesh);
-        let lengths = || edges.iter().map(|&[a, b]| distance(positions[a as usize], positions[b as usize]));
+        let lengths = || edge_lengths(mesh, &positions);
         let count = edges.len() as f64;
         let mean = lengths().sum::<f64>() / count;
         let sigma = (lengths().map(|e| (e - mean) * (e - mean)).sum::<f64>() / count).sqrt();
@@ -32,5 +40,10 @@ impl EdgeStats {
             high = [0, 1, 2].map(|k| high[k].max(p[k]));
         }
         Some(EdgeStats { mean, sigma, diagonal: distance(low, high) })
+    }
+
+    /// s, the factor from units to the paper's size.
+    pub(crate) fn paper_scale(&self) -> f64 {
+        PAPER_DIAGONAL / self.diagonal
     }
 }
