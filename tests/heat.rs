@@ -499,14 +499,10 @@ fn soups_are_survived() {
     for (name, positions, triangles) in &soups {
         assert!(survives(name, &Mesh::from_triangles(positions, triangles).unwrap()), "{name}");
     }
-    // All points in one place; t would not be a number; or nothing to travel over.
-    for (positions, triangles) in [
-        (vec![[1.0; 3]; 3], vec![[0, 1, 2]]),
-        (square.iter().map(|p| p.map(|x| x * 1.5e308)).collect(), vec![[0, 1, 2]]),
-        (square.iter().map(|p| p.map(|x| x * 1e-300)).collect(), vec![[0, 1, 2]]),
-        (vec![[1.0; 3]; 3], vec![]),
-        (vec![[1.0; 3]; 3], vec![[0, 1, 1]]),
-    ] {
+    // All points in one place, or nothing to travel over.
+    for (positions, triangles) in
+        [(vec![[1.0; 3]; 3], vec![[0, 1, 2]]), (vec![[1.0; 3]; 3], vec![]), (vec![[1.0; 3]; 3], vec![[0, 1, 1]])]
+    {
         assert!(!survives("without a time step", &Mesh::from_triangles(&positions, &triangles).unwrap()));
     }
 }

@@ -101,10 +101,8 @@ pub struct HeatReport {
 #[derive(Debug, Clone)]
 pub struct HeatSolver {
     systems: Arc<Systems>,
-    /// t in mesh units squared.
-    time_step: f64,
     /// t in units squared.
-    unit_time_step: f64,
+    time_step: f64,
     /// M + t L.
     neumann: Arc<dyn Factor>,
     /// The same, with u = 0 prescribed on the boundary; only if the boundary blend is not 0.
@@ -141,7 +139,7 @@ impl HeatSolver {
             let message = format!("boundary is {}, which is not in [0, 1]", options.boundary);
             return Err(Error::new(Reason::BadArgument, message));
         }
-        let time_step = options.time_step.value(mesh)?;
+        let time_step = options.time_step.unit_value(mesh, Scale::of(mesh))?;
         control.checkpoint(0.0)?;
         let systems = Systems::new(mesh, options, control)?;
         HeatSolver::timed(Arc::new(systems), time_step, control)
@@ -152,13 +150,15 @@ impl HeatSolver {
     /// # Errors
     /// As [`HeatSolver::new`].
     pub fn with_time_step(&self, step: &TimeStep, control: &Control) -> Result<HeatSolver> {
-        HeatSolver::timed(Arc::clone(&self.systems), step.value(&self.systems.mesh)?, control)
+        let time_step = step.unit_value(&self.systems.mesh, self.systems.scale)?;
+        HeatSolver::timed(Arc::clone(&self.systems), time_step, control)
     }
 
-    /// The time step t, in mesh units squared.
+    /// The time step t, in mesh units squared; +inf or 0 where these do not fit a number.
     #[must_use]
     pub fn time_step(&self) -> f64 {
-        self.time_step
+        let scale = self.systems.scale;
+        scale.to_mesh(scale.to_mesh(self.time_step))
     }
 
     /// What building did to the triangulation.
@@ -191,21 +191,16 @@ impl HeatSolver {
     }
 
     fn timed(systems: Arc<Systems>, time_step: f64, control: &Control) -> Result<HeatSolver> {
-        let unit_time_step = systems.scale.to_unit(systems.scale.to_unit(time_step));
-        if !(unit_time_step > 0.0 && unit_time_step.is_finite()) {
-            let message = format!("time step: t is {time_step}, out of all proportion to the mesh");
-            return Err(Error::new(Reason::BadTimeStep, message));
-        }
-        let neumann = systems.factor_heat(unit_time_step, &systems.unused)?;
+        let neumann = systems.factor_heat(time_step, &systems.unused)?;
         control.checkpoint(0.9)?;
         let dirichlet = if systems.boundary > 0.0 {
             let absorbing: Vec<bool> = systems.unused.iter().zip(&systems.on_boundary).map(|(&a, &b)| a || b).collect();
-            Some(systems.factor_heat(unit_time_step, &absorbing)?)
+            Some(systems.factor_heat(time_step, &absorbing)?)
         } else {
             None
         };
         control.checkpoint(1.0)?;
-        Ok(HeatSolver { systems, time_step, unit_time_step, neumann, dirichlet })
+        Ok(HeatSolver { systems, time_step, neumann, dirichlet })
     }
 
     /// u = (1 - b) u_Neumann + b u_Dirichlet.
@@ -213,7 +208,7 @@ impl HeatSolver {
         let b = self.systems.boundary;
         let mut u = vec![0.0; self.systems.mesh.vertex_count()];
         for source in &placed.sources {
-            u[source.v] = (-source.offset / self.unit_time_step.sqrt()).exp();
+            u[source.v] = (-source.offset / self.time_step.sqrt()).exp();
         }
         let Some(dirichlet) = &self.dirichlet else {
             solve(&*self.neumann, &mut u)?;

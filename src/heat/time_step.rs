@@ -98,25 +98,34 @@ impl TimeStep {
     /// [`Reason::BadTimeStep`] if t is not positive and finite, if `factor` is not, or if the formula gives less than
     /// 1e-6 ē² (the message names it): near 0, where the edges are almost equal, σ says nothing about t.
     pub fn value(&self, mesh: &Mesh) -> Result<f64> {
+        let scale = Scale::of(mesh);
+        let t = self.unit_value(mesh, scale)?;
+        positive(scale.to_mesh(scale.to_mesh(t)), "time step: t in mesh units squared")
+    }
+
+    /// The value of t in squares of the unit of `scale`, where no mesh is too large or too small for it.
+    pub(super) fn unit_value(&self, mesh: &Mesh, scale: Scale) -> Result<f64> {
         match *self {
-            TimeStep::Value(t) => positive(t, "time step: t"),
-            TimeStep::Formula { formula, scale, factor } => {
+            TimeStep::Value(t) => {
+                positive(t, "time step: t")?;
+                let message = format!("time step: t = {t}, at the size of this mesh,");
+                positive(scale.to_unit(scale.to_unit(t)), &message)
+            }
+            TimeStep::Formula { formula, scale: time_scale, factor } => {
                 positive(factor, "time step: the factor")?;
-                let t = formula_value(mesh, formula, scale)?;
+                let t = formula_value(mesh, formula, time_scale, scale)?;
                 positive(t * factor, &format!("time step: {}, times the factor {factor},", formula.name()))
             }
         }
     }
 }
 
-/// The formula's value in mesh units squared.
-fn formula_value(mesh: &Mesh, formula: TimeFormula, time_scale: TimeScale) -> Result<f64> {
-    let units = Scale::of(mesh);
-    let Some(edges) = EdgeStats::of(mesh, units) else {
-        let message = format!("time step: {} needs edges, and the mesh has none", formula.name());
+/// The formula's value in squares of the unit of `units`.
+fn formula_value(mesh: &Mesh, formula: TimeFormula, time_scale: TimeScale, units: Scale) -> Result<f64> {
+    let Some(edges) = EdgeStats::of(mesh, units).filter(|edges| edges.mean > 0.0) else {
+        let message = format!("time step: {} needs edges of some length, and the mesh has none", formula.name());
         return Err(Error::new(Reason::BadTimeStep, message));
     };
-    // In units, which neither overflow nor vanish when squared.
     let t = match time_scale {
         TimeScale::Paper => {
             let s = edges.paper_scale();
@@ -128,13 +137,13 @@ fn formula_value(mesh: &Mesh, formula: TimeFormula, time_scale: TimeScale) -> Re
         }
     };
     let share = t / (edges.mean * edges.mean);
-    // NaN, from a mesh without extent, is not enough either.
+    // NaN, where numbers as they stand overflow, is not enough either.
     if share.is_nan() || share < LEAST_SHARE {
         let message =
             format!("time step: {} gives {share:.3e} ē², below {LEAST_SHARE:e} ē², on this mesh", formula.name());
         return Err(Error::new(Reason::BadTimeStep, message));
     }
-    Ok(units.to_mesh(units.to_mesh(t)))
+    Ok(t)
 }
 
 /// `value` if it is positive and finite.
@@ -219,8 +228,17 @@ mod tests {
             for mesh in [&point, &empty] {
                 ALL.iter().for_each(|&formula| refused(mesh, formula, scale));
             }
-            refused(&triangle(1e-300), TimeFormula::MeanEdge, scale);
-            refused(&triangle(1e300), TimeFormula::MeanEdge, scale);
+        }
+    }
+
+    #[test]
+    fn t_may_be_beyond_numbers_in_mesh_units_but_not_in_units() {
+        let step = TimeStep::Formula { formula: TimeFormula::MeanEdge, scale: TimeScale::Paper, factor: 1.0 };
+        for size in [1e-300, 1e300] {
+            let mesh = triangle(size);
+            assert_eq!(step.value(&mesh).unwrap_err().reason(), Reason::BadTimeStep);
+            let t = step.unit_value(&mesh, Scale::of(&mesh)).unwrap();
+            assert!((0.1..1.0).contains(&t), "{t}");
         }
     }
 
