@@ -503,6 +503,88 @@ static void exact_distances(void) {
     taut_exact_free(exact);
 }
 
+/* Two triangles that touch in vertex 2, one of them twice; a repeated index; a copy of vertex 0; a loose vertex. */
+static taut_report *messy_report(void) {
+    const double points[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2, 0, 1, 2, 0, 0, 0, -0.0, 5, 5, 5};
+    const uint32_t faces[] = {0, 1, 2, 2, 3, 4, 1, 0, 2, 5, 5, 1};
+    taut_mesh *mesh = NULL;
+    taut_report *report = NULL;
+    CHECK(taut_mesh_new((taut_input){.data = points, .count = 7}, (taut_input){.data = faces, .count = 4}, &mesh) ==
+          TAUT_STATUS_OK);
+    CHECK(taut_report_new(mesh, &report) == TAUT_STATUS_OK);
+    taut_mesh_free(mesh); /* before the use of what was made from it */
+    return report;
+}
+
+static void reports(void) {
+    taut_report *report = messy_report();
+    const size_t counts[] = {0, 1, 0, 1, 0, 1, 0, 0, 1, 1, 1, 2, 0};
+    for (uint32_t finding = 0; finding < sizeof counts / sizeof *counts; finding++) {
+        CHECK(taut_report_count(report, finding) == counts[finding]);
+    }
+    CHECK(last_is(TAUT_REASON_BAD_ARGUMENT, 0, 0)); /* kinds 0 and 12 do not exist */
+    uint32_t pair[2] = {9, 9}, one = 9, chain[3];
+    const taut_output pairs = {.data = pair, .count = 1}, single = {.data = &one, .count = 1};
+    CHECK(taut_report_list(report, TAUT_FINDING_DUPLICATE_FACES, pairs) == TAUT_STATUS_OK && pair[0] == 2 && pair[1] == 0);
+    CHECK(taut_report_list(report, TAUT_FINDING_DUPLICATE_VERTICES, pairs) == TAUT_STATUS_OK);
+    CHECK(pair[0] == 5 && pair[1] == 0);
+    CHECK(taut_report_list(report, TAUT_FINDING_NONMANIFOLD_VERTICES, single) == TAUT_STATUS_OK && one == 2);
+    CHECK(taut_report_list(report, TAUT_FINDING_REPEATED_INDEX_FACES, single) == TAUT_STATUS_OK && one == 3);
+    CHECK(taut_report_list(report, TAUT_FINDING_BOUNDARY_LOOPS, pairs) == TAUT_STATUS_OK && pair[0] == 3 && pair[1] == 1);
+    CHECK(taut_report_boundary_vertices(report, (taut_output){.data = chain, .count = 3}) == TAUT_STATUS_OK);
+    CHECK(chain[0] + chain[1] + chain[2] == 2 + 3 + 4);
+    pair[0] = 9;
+    CHECK_FAILS(taut_report_list(report, TAUT_FINDING_UNREFERENCED_VERTICES, single), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_report_boundary_vertices(report, pairs), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_report_list(report, 12, pairs), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(one == 3 && pair[0] == 9);
+
+    uint64_t component_of[7];
+    CHECK(taut_report_component_of(report, (taut_output){.data = component_of, .count = 7, .type = TAUT_TYPE_U64}) ==
+          TAUT_STATUS_OK);
+    CHECK(component_of[0] == 0 && component_of[4] == 0 && component_of[5] == UINT32_MAX && component_of[6] == UINT32_MAX);
+    uint16_t narrow[7];
+    CHECK_FAILS(taut_report_component_of(report, (taut_output){.data = narrow, .count = 7, .type = TAUT_TYPE_U16}),
+                TAUT_REASON_BAD_ARGUMENT, 0, 0);
+
+    taut_component part = {.struct_size = sizeof part};
+    CHECK(taut_report_component(report, 0, &part) == TAUT_STATUS_OK);
+    CHECK(part.vertices == 5 && part.edges == 6 && part.faces == 3 && part.first_vertex == 0);
+    CHECK(part.boundary_loops == 1 && part.manifold == 0 && part.orientable == 1 && part.genus == 0);
+    part = (taut_component){.struct_size = offsetof(taut_component, faces), .faces = 77}; /* an older caller */
+    CHECK(taut_report_component(report, 0, &part) == TAUT_STATUS_OK && part.edges == 6 && part.faces == 77);
+    CHECK_FAILS(taut_report_component(report, 1, &part), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_report_component(report, 0, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+
+    taut_angle smallest, largest;
+    CHECK(taut_report_angles(report, &smallest, &largest) == TAUT_STATUS_OK);
+    CHECK(fabs(smallest.radians - atan(1)) < 1e-15 && fabs(largest.radians - 2 * atan(1)) < 1e-15);
+    CHECK(largest.face == 0 && largest.vertex == 0);
+    CHECK_FAILS(taut_report_angles(report, &smallest, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_report_angles(NULL, &smallest, &largest), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(taut_report_count(NULL, 1) == 0 && last_is(TAUT_REASON_NULL_POINTER, 0, 0));
+    taut_report_free(report);
+    taut_report_free(NULL);
+    CHECK_FAILS(taut_report_new(NULL, &report), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(report == NULL);
+}
+
+static void properties(void) {
+    taut_mesh *mesh = rectangle(), *empty = NULL;
+    taut_properties all = {.struct_size = sizeof all};
+    CHECK(taut_mesh_properties(mesh, &all) == TAUT_STATUS_OK);
+    CHECK(all.vertices == 5 && all.edges == 5 && all.faces == 2);
+    CHECK(fabs(all.mean_edge - 3.8) < 1e-14 && all.min_edge == 3 && all.q2 == 4 && all.max_edge == 5);
+    CHECK(fabs(all.min_angle - atan(0.75)) < 1e-15 && fabs(all.paper_scale - 24.976 / 5) < 1e-14);
+    CHECK_FAILS(taut_mesh_properties(mesh, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_mesh_properties(NULL, &all), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(taut_mesh_new((taut_input){0}, (taut_input){0}, &empty) == TAUT_STATUS_OK);
+    CHECK_FAILS(taut_mesh_properties(empty, &all), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(all.vertices == 5); /* nothing was written */
+    taut_mesh_free(empty);
+    taut_mesh_free(mesh);
+}
+
 int main(void) {
     before_any_failure();
     versions_and_names();
@@ -521,6 +603,8 @@ int main(void) {
     heat_options();
     time_steps();
     exact_distances();
+    reports();
+    properties();
     if (failures) fprintf(stderr, "%d checks failed\n", failures);
     return failures ? 1 : 0;
 }

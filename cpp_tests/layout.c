@@ -53,6 +53,44 @@ FIELD(taut_error, reason, 12);
 FIELD(taut_error, element, 16);
 FIELD(taut_error, reserved, 20);
 FIELD(taut_error, index, 24);
+
+SIZE(taut_angle, 16);
+FIELD(taut_angle, radians, 0);
+FIELD(taut_angle, face, 8);
+FIELD(taut_angle, vertex, 12);
+
+SIZE(taut_component, 40);
+FIELD(taut_component, struct_size, 0);
+FIELD(taut_component, vertices, 8);
+FIELD(taut_component, edges, 12);
+FIELD(taut_component, faces, 16);
+FIELD(taut_component, first_vertex, 20);
+FIELD(taut_component, boundary_loops, 24);
+FIELD(taut_component, manifold, 28);
+FIELD(taut_component, orientable, 32);
+FIELD(taut_component, genus, 36);
+
+SIZE(taut_properties, 160);
+FIELD(taut_properties, struct_size, 0);
+FIELD(taut_properties, vertices, 8);
+FIELD(taut_properties, edges, 16);
+FIELD(taut_properties, faces, 24);
+FIELD(taut_properties, mean_edge, 32);
+FIELD(taut_properties, variance_edge, 40);
+FIELD(taut_properties, sigma_edge, 48);
+FIELD(taut_properties, mean_absolute_deviation, 56);
+FIELD(taut_properties, median_absolute_deviation, 64);
+FIELD(taut_properties, min_edge, 72);
+FIELD(taut_properties, max_edge, 80);
+FIELD(taut_properties, edge_ratio, 88);
+FIELD(taut_properties, q1, 96);
+FIELD(taut_properties, q2, 104);
+FIELD(taut_properties, q3, 112);
+FIELD(taut_properties, quartile_deviation, 120);
+FIELD(taut_properties, min_angle, 128);
+FIELD(taut_properties, max_angle, 136);
+FIELD(taut_properties, anisotropy, 144);
+FIELD(taut_properties, paper_scale, 152);
 #endif
 
 /* The program that was compiled with this header runs with a library that has the same interface. */

@@ -202,6 +202,9 @@ typedef struct taut_heat taut_heat;
 /** A mesh, checked once and then immutable: any soup of triangles. Vertex v of the mesh is vertex v of its input. */
 typedef struct taut_mesh taut_mesh;
 
+/** The diagnosis of a mesh. */
+typedef struct taut_report taut_report;
+
 /** The last failure in detail. */
 typedef struct {
     /** `sizeof(taut_error)`, set by the caller. */
@@ -267,6 +270,116 @@ typedef struct {
     /** Type of an element; 0 means `double` or `uint32_t`. A `float` receives the nearest value. */
     taut_type type;
 } taut_output;
+
+/** A kind of findings; `taut_report_count` tells how many there are, `taut_report_list` lists them. */
+typedef uint32_t taut_finding;
+/** Connected parts; a row is the part's smallest vertex. Triangles that share a vertex index belong together. */
+#define TAUT_FINDING_COMPONENTS 1
+/** Parts whose triangles cannot be turned so that neighbours agree; a row is the part's place among the components. */
+#define TAUT_FINDING_NONORIENTABLE_COMPONENTS 2
+/**
+ * Chains of edges with one triangle; a row is the number of vertices and 1 if the chain is closed, else 0: then it ends
+ * at edges of more than two triangles. `taut_report_boundary_vertices` tells the vertices.
+ */
+#define TAUT_FINDING_BOUNDARY_LOOPS 3
+/** Edges of more than two triangles; a row is the two vertices. */
+#define TAUT_FINDING_NONMANIFOLD_EDGES 4
+/** Vertices whose triangles fall into several fans that touch in the vertex alone. */
+#define TAUT_FINDING_NONMANIFOLD_VERTICES 5
+/** Edges between two triangles of which one is turned over; a row is the two vertices. */
+#define TAUT_FINDING_INCONSISTENT_EDGES 6
+/** Triangles without area, up to the rounding of their coordinates. */
+#define TAUT_FINDING_ZERO_AREA_FACES 7
+/** Triangles that repeat a vertex index, which nothing travels over. */
+#define TAUT_FINDING_REPEATED_INDEX_FACES 8
+/** Triangles with the three vertices of an earlier one; a row is the triangle and that one. */
+#define TAUT_FINDING_DUPLICATE_FACES 9
+/** Vertices at the very place of an earlier one, where the surface is cut; a row is the vertex and that one. */
+#define TAUT_FINDING_DUPLICATE_VERTICES 10
+/** Vertices that no triangle uses. */
+#define TAUT_FINDING_UNREFERENCED_VERTICES 11
+
+/** A connected part of a mesh. */
+typedef struct {
+    /** `sizeof(taut_component)`, set by the caller. */
+    size_t struct_size;
+    /** V, E and F: its vertices, edges, and triangles that do not repeat an index. V - E + F is its Euler characteristic. */
+    uint32_t vertices;
+    /** See `vertices`. */
+    uint32_t edges;
+    /** See `vertices`. */
+    uint32_t faces;
+    /** Its smallest vertex. */
+    uint32_t first_vertex;
+    /** How many closed boundary loops it has. */
+    uint32_t boundary_loops;
+    /** 1 if its edges have two triangles at most and its vertices one fan each, else 0. */
+    uint32_t manifold;
+    /** 1 if its triangles can be turned so that neighbours agree, else 0. */
+    uint32_t orientable;
+    /** How many handles it has; 0 as well where it is not manifold or not orientable. */
+    uint32_t genus;
+} taut_component;
+
+/** An interior angle of a triangle. */
+typedef struct {
+    /** Its size; NaN where the mesh has no triangle. */
+    double radians;
+    /** The triangle. */
+    uint32_t face;
+    /** The vertex it is at. */
+    uint32_t vertex;
+} taut_angle;
+
+/**
+ * Statistics of a mesh's edges and angles, those of the paper "Wave propagation time optimization for geodesic distances
+ * calculation using the Heat Method" (2019). Each edge counts once; lengths in mesh units, angles in radians.
+ */
+typedef struct {
+    /** `sizeof(taut_properties)`, set by the caller. */
+    size_t struct_size;
+    /** Vertices, those that no triangle uses included. */
+    uint64_t vertices;
+    /** Edges. */
+    uint64_t edges;
+    /** Triangles, ignored ones included. */
+    uint64_t faces;
+    /** Mean length of the edges. */
+    double mean_edge;
+    /** Population variance of the lengths, in squared units. */
+    double variance_edge;
+    /** Its square root, the standard deviation. */
+    double sigma_edge;
+    /** Mean distance of a length from the mean. */
+    double mean_absolute_deviation;
+    /** Median distance of a length from the median. */
+    double median_absolute_deviation;
+    /** Length of the shortest edge. */
+    double min_edge;
+    /** Length of the longest edge. */
+    double max_edge;
+    /** Shortest over longest. */
+    double edge_ratio;
+    /** Lower quartile of the lengths. */
+    double q1;
+    /** Their median. */
+    double q2;
+    /** Their upper quartile. */
+    double q3;
+    /** (q3 - q1) / 2. */
+    double quartile_deviation;
+    /** Smallest interior angle. */
+    double min_angle;
+    /** Largest interior angle. */
+    double max_angle;
+    /**
+     * Mean over the triangles with an area of (half the perimeter * longest edge) / (2 sqrt(3) * area): 1 if all are
+     * equilateral. NaN if none has an area.
+     */
+    double anisotropy;
+    /** Factor that brings the mesh to the paper's size, a bounding box of the diagonal 24.976. */
+    double paper_scale;
+} taut_properties;
 
 /**
  * A formula for the time step t, from the edge lengths: their mean e and standard deviation s. 0 means
@@ -558,6 +671,94 @@ taut_status taut_mesh_ignored_triangles(const taut_mesh *mesh, taut_output out);
 
 /** Frees a mesh; NULL is fine. What was made from it stays valid. */
 void taut_mesh_free(taut_mesh *mesh);
+
+/**
+ * Looks a mesh over. Nothing that is found is an error: both methods answer on every mesh.
+ *
+ * - `mesh`: not NULL; it may be freed afterwards.
+ * - `out`: receives the report, to be freed with `taut_report_free`; NULL on failure.
+ *
+ * Errors: `mesh` or `out` is NULL. Cost: O(V log V + F log F). Threads: any. Cannot be cancelled.
+ */
+taut_status taut_report_new(const taut_mesh *mesh, taut_report **out);
+
+/**
+ * Tells how many findings of a kind there are.
+ *
+ * - `report`: not NULL.
+ * - `finding`: the kind.
+ *
+ * Returns 0 if `report` is NULL or there is no such kind. Cost: linear in their number. Threads: any.
+ */
+size_t taut_report_count(const taut_report *report, taut_finding finding);
+
+/**
+ * Lists the findings of a kind, ascending.
+ *
+ * - `report`: not NULL.
+ * - `finding`: the kind.
+ * - `out`: rows of one index, or of two where the kind's description says so, at least `taut_report_count` of them.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where there is no such kind or an index exceeds the
+ * type. Cost: linear in their number. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_report_list(const taut_report *report, taut_finding finding, taut_output out);
+
+/**
+ * Tells the vertices of all boundary loops, one loop after the other; TAUT_FINDING_BOUNDARY_LOOPS tells how many each
+ * has. The first vertex of a closed loop is not repeated.
+ *
+ * - `report`: not NULL.
+ * - `out`: rows of one index, at least as many as all loops have vertices.
+ *
+ * Errors: as for `taut_report_list`. Cost: linear in their number. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_report_boundary_vertices(const taut_report *report, taut_output out);
+
+/**
+ * Describes one component.
+ *
+ * - `report`: not NULL.
+ * - `component`: its place, less than `taut_report_count` of TAUT_FINDING_COMPONENTS.
+ * - `out`: not NULL; receives the description; set `struct_size` before the call.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT. Cost: O(1). Threads: any. Cannot be cancelled.
+ */
+taut_status taut_report_component(const taut_report *report, size_t component, taut_component *out);
+
+/**
+ * Tells the component of each vertex.
+ *
+ * - `report`: not NULL.
+ * - `out`: rows of one index of the type `uint32_t` or wider, at least as many as there are vertices; UINT32_MAX for a
+ *   vertex that no triangle uses.
+ *
+ * Errors: as for `taut_report_list`. Cost: O(V). Threads: any. Cannot be cancelled.
+ */
+taut_status taut_report_component_of(const taut_report *report, taut_output out);
+
+/**
+ * Tells the smallest and the largest interior angle of a triangle that does not repeat an index, and where they are.
+ *
+ * - `report`: not NULL.
+ * - `smallest`, `largest`: receive the angles; not NULL.
+ *
+ * Errors: a parameter is NULL. Cost: O(1). Threads: any. Cannot be cancelled.
+ */
+taut_status taut_report_angles(const taut_report *report, taut_angle *smallest, taut_angle *largest);
+
+/** Frees a report; NULL is fine. */
+void taut_report_free(taut_report *report);
+
+/**
+ * Computes statistics of a mesh's edges and angles.
+ *
+ * - `mesh`: not NULL.
+ * - `out`: not NULL; receives them; set `struct_size` before the call.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT where the mesh has no edge. Cost: O(E log E). Threads: any. Cannot be cancelled.
+ */
+taut_status taut_mesh_properties(const taut_mesh *mesh, taut_properties *out);
 
 /**
  * Tells the time step t that a mesh gets, without preparing anything.

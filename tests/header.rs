@@ -4,13 +4,14 @@ use std::fs;
 use std::path::Path;
 
 /// In the order of the manual.
-const SOURCES: [&str; 8] = [
+const SOURCES: [&str; 9] = [
     "src/ffi/version.rs",
     "src/error.rs",
     "src/ffi/guard.rs",
     "src/ffi/types.rs",
     "src/ffi/control.rs",
     "src/ffi/mesh.rs",
+    "src/ffi/report.rs",
     "src/ffi/heat.rs",
     "src/ffi/exact.rs",
 ];

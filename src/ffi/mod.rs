@@ -19,5 +19,6 @@ mod exact;
 mod guard;
 mod heat;
 mod mesh;
+mod report;
 mod types;
 mod version;
