@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// In the order of the manual.
-const SOURCES: [&str; 8] = [
+const SOURCES: [&str; 9] = [
     "src/ffi/version.rs",
     "src/error.rs",
     "src/ffi/guard.rs",
@@ -13,6 +13,7 @@ const SOURCES: [&str; 8] = [
     "src/ffi/mesh.rs",
     "src/ffi/heat.rs",
     "src/ffi/exact.rs",
+    "src/ffi/surface.rs",
 ];
 
 fn generate(root: &Path) -> String {

@@ -19,5 +19,6 @@ mod exact;
 mod guard;
 mod heat;
 mod mesh;
+mod surface;
 mod types;
 mod version;
