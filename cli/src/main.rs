@@ -5,8 +5,10 @@
 mod args;
 mod comparison;
 mod distance;
+mod drawing;
 mod field;
 mod input;
+mod isolines;
 mod measured;
 mod numbers;
 mod output;
@@ -28,6 +30,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Distance(distance::DistanceArgs),
+    Isolines(isolines::IsolinesArgs),
 }
 
 impl Command {
@@ -35,12 +38,14 @@ impl Command {
     fn check(&self) -> std::result::Result<(), clap::Error> {
         match self {
             Command::Distance(args) => args.field.check(),
+            Command::Isolines(args) => args.check(),
         }
     }
 
     fn run(&self) -> Result<()> {
         match self {
             Command::Distance(args) => distance::run(args),
+            Command::Isolines(args) => isolines::run(args),
         }
     }
 }
