@@ -397,6 +397,39 @@ fn numbers_of_any_size_are_interpolated() {
 }
 
 #[test]
+fn an_edge_may_span_all_numbers() {
+    let mesh = shapes::grid(1, 1).mesh().unwrap();
+    let values = field(&mesh, |[x, ..]| if x == 0.0 { -f64::MAX } else { f64::MAX });
+    let levels = [-0.5 * f64::MAX, 0.0, 0.5 * f64::MAX];
+    let found = lines("the widest edge", &mesh, &values, &levels);
+    for (line, x) in found.iter().zip([0.25, 0.5, 0.75]) {
+        assert!(line.curve.positions(&mesh).unwrap().iter().all(|p| p[0] == x));
+    }
+}
+
+#[test]
+fn small_weights_keep_their_digits() {
+    let mesh = shapes::grid(1, 1).mesh().unwrap();
+    for [left, right, level] in [[0.0, 1.0, 1e-20], [-1.0, 0.0, -1e-20], [1.0, 0.0, 1e-20], [0.0, -1.0, -1e-20]] {
+        let values = field(&mesh, |[x, ..]| if x == 0.0 { left } else { right });
+        for line in isolines(&mesh, &values, &[level]).unwrap() {
+            assert!(line.curve.points.iter().all(|point| point.barycentric.contains(&1e-20)), "{line:?}");
+        }
+    }
+}
+
+#[test]
+fn lines_stay_on_flat_ground() {
+    let mut shape = shapes::grid(10, 10);
+    shape.positions.iter_mut().for_each(|p| p[2] = 0.1);
+    let mesh = shape.mesh().unwrap();
+    let values = field(&mesh, |[x, y, _]| x.sin() + y / 3.0);
+    for line in lines("flat", &mesh, &values, &even_levels(&mesh, &values, 30).unwrap()) {
+        assert!(line.curve.positions(&mesh).unwrap().iter().all(|p| p[2] == 0.1));
+    }
+}
+
+#[test]
 fn both_triangles_of_an_edge_agree_to_the_last_bit() {
     let mesh = shapes::terrain(20, 0.8).mesh().unwrap();
     let [plain, turned] = [0, 1].map(|turn| {

@@ -20,12 +20,14 @@
 //! alike. A closed line begins where it enters that triangle.
 //!
 //! O(F log n + output) time for n levels together; memory O(F + output).
+//!
+//! References, for the rule of above and below: W. E. Lorensen, H. E. Cline: Marching Cubes: A High Resolution 3D Surface
+//! Construction Algorithm. Computer Graphics 21(4) (SIGGRAPH), 1987.
 
 use super::point::{Curve, SurfacePoint};
 use crate::error::{Element, Error, Reason, Result};
 use crate::mesh::Mesh;
 use crate::mesh::topology::{NONE, next, prev, start};
-use std::cmp::Ordering;
 use std::collections::VecDeque;
 
 /// A line of equal value.
@@ -313,9 +315,6 @@ fn weights(a: f64, b: f64, c: f64) -> [f64; 2] {
     let scale = if (b - a).is_finite() { 1.0 } else { 0.5 };
     let [a, b, c] = [a, b, c].map(|x| scale * x);
     let [to_a, to_b, whole] = [(c - a).abs(), (b - c).abs(), (b - a).abs()];
-    match to_a.total_cmp(&to_b) {
-        Ordering::Less => [1.0 - to_a / whole, to_a / whole],
-        Ordering::Equal => [0.5, 0.5], // whatever `whole` is rounded to, and so the same for (b, a)
-        Ordering::Greater => [to_b / whole, 1.0 - to_b / whole],
-    }
+    // If both are the same, `whole` rounds to twice that, and the order of a and b does not matter here either.
+    if to_a < to_b { [1.0 - to_a / whole, to_a / whole] } else { [to_b / whole, 1.0 - to_b / whole] }
 }
