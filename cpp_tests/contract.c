@@ -31,6 +31,9 @@ static const uint32_t corners[] = {0, 1, 3, 1, 2, 3};
 static const taut_input positions = {.data = xyz, .count = 5};
 static const taut_input triangles = {.data = corners, .count = 2};
 static const uint32_t zero = 0;
+/* Of each vertex, its distance along x; none for the last. */
+static const double along_x[] = {0, 3, 3, 0, INFINITY};
+static const taut_input values = {.data = along_x, .count = 5};
 static const taut_sources from_zero = {.struct_size = sizeof from_zero, .vertices = {.data = &zero, .count = 1}};
 
 static taut_mesh *rectangle(void) {
@@ -109,6 +112,7 @@ static void null_is_an_error(void) {
     taut_exact *exact = NULL;
     taut_heat *heat = NULL;
     taut_exact_field *field = NULL;
+    taut_curves *curves = (taut_curves *)&failures;
     double d[5], t;
     const taut_output out = {.data = d, .count = 5};
     const taut_time_step step = {.value = 1};
@@ -128,6 +132,14 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_heat_distances(NULL, &from_zero, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_time_step_value(NULL, step, &t), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_control_new(NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_isolines_new(NULL, values, values, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(curves == NULL);
+    CHECK_FAILS(taut_curves_offsets(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_curves_positions(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_curves_faces(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_curves_barycentrics(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_curves_closed(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_curves_levels(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
 
     mesh = rectangle();
     CHECK_FAILS(taut_time_step_value(mesh, step, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -135,11 +147,17 @@ static void null_is_an_error(void) {
     CHECK(taut_exact_new(mesh, &exact) == TAUT_STATUS_OK);
     CHECK_FAILS(taut_exact_field_new(exact, NULL, NULL, NULL, &field), TAUT_REASON_NULL_POINTER, 0, 0);
     taut_exact_free(exact);
+    CHECK_FAILS(taut_isolines_new(mesh, (taut_input){.count = 5}, values, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(strstr(taut_last_error(NULL), "values") != NULL);
+    CHECK_FAILS(taut_isolines_new(mesh, values, (taut_input){.count = 1}, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(strstr(taut_last_error(NULL), "levels") != NULL);
+    CHECK_FAILS(taut_isolines_new(mesh, values, values, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     taut_mesh_free(mesh);
 
     CHECK(taut_mesh_vertex_count(NULL) == 0 && taut_mesh_triangle_count(NULL) == 0);
     CHECK(taut_mesh_ignored_count(NULL) == 0);
     CHECK(taut_heat_time_step(NULL) == 0 && taut_exact_field_final_radius(NULL) == 0);
+    CHECK(taut_curves_count(NULL) == 0 && taut_curves_point_count(NULL) == 0);
     CHECK(taut_control_progress(NULL) == 0 && !taut_control_is_cancelled(NULL));
     taut_control_cancel(NULL);
     taut_control_free(NULL);
@@ -147,6 +165,7 @@ static void null_is_an_error(void) {
     taut_exact_free(NULL);
     taut_exact_field_free(NULL);
     taut_heat_free(NULL);
+    taut_curves_free(NULL);
 }
 
 static void empty_mesh(void) {
@@ -585,6 +604,115 @@ static void properties(void) {
     taut_mesh_free(mesh);
 }
 
+/* Lines at x = 1.5 and x = 0.75, each over both triangles. */
+static taut_curves *two_lines(void) {
+    taut_mesh *mesh = rectangle();
+    taut_curves *curves = NULL;
+    const float levels[] = {1.5f, 9, 0.75f};
+    const taut_input as_floats = {.data = levels, .count = 3, .type = TAUT_TYPE_F32};
+    CHECK(taut_isolines_new(mesh, values, as_floats, &curves) == TAUT_STATUS_OK);
+    taut_mesh_free(mesh); /* before the use of what was made from it */
+    return curves;
+}
+
+static void lines(void) {
+    taut_curves *curves = two_lines();
+    uint32_t offsets[3], faces[6], closed[2], levels[2];
+    double p[18], w[18];
+    CHECK(taut_curves_count(curves) == 2 && taut_curves_point_count(curves) == 6);
+    CHECK(taut_curves_offsets(curves, (taut_output){.data = offsets, .count = 3}) == TAUT_STATUS_OK);
+    CHECK(offsets[0] == 0 && offsets[1] == 3 && offsets[2] == 6);
+    CHECK(taut_curves_levels(curves, (taut_output){.data = levels, .count = 2}) == TAUT_STATUS_OK);
+    CHECK(levels[0] == 0 && levels[1] == 2);
+    CHECK(taut_curves_closed(curves, (taut_output){.data = closed, .count = 2}) == TAUT_STATUS_OK);
+    CHECK(closed[0] == 0 && closed[1] == 0);
+    CHECK(taut_curves_positions(curves, (taut_output){.data = p, .count = 6}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_faces(curves, (taut_output){.data = faces, .count = 6}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_barycentrics(curves, (taut_output){.data = w, .count = 6}) == TAUT_STATUS_OK);
+    for (size_t i = 0; i < 6; i++) {
+        CHECK(p[3 * i] == (i < 3 ? 1.5 : 0.75));
+        for (size_t axis = 0; axis < 3; axis++) {
+            double sum = 0;
+            for (size_t k = 0; k < 3; k++) sum += w[3 * i + k] * xyz[3 * corners[3 * faces[i] + k] + axis];
+            CHECK(sum == p[3 * i + axis]);
+        }
+    }
+    /* Higher ground is on the left, so the line goes down; its last point is in the last triangle too. */
+    CHECK(p[1] == 4 && p[4] == 2 && p[7] == 0);
+    CHECK(faces[0] == 1 && faces[1] == 0 && faces[2] == 0);
+    taut_curves_free(curves);
+
+    /* Around a peak the line is closed. */
+    const double peak_xyz[] = {0, 0, 1, 1, 0, 0, 0, 1, 0, -1, -1, 0}, height[] = {1, 0, 0, 0}, half = 0.5;
+    const uint32_t sides[] = {0, 1, 2, 0, 2, 3, 0, 3, 1};
+    taut_mesh *mesh = NULL;
+    CHECK(taut_mesh_new((taut_input){.data = peak_xyz, .count = 4}, (taut_input){.data = sides, .count = 3}, &mesh) ==
+          TAUT_STATUS_OK);
+    CHECK(taut_isolines_new(mesh, (taut_input){.data = height, .count = 4}, (taut_input){.data = &half, .count = 1},
+                            &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_count(curves) == 1 && taut_curves_point_count(curves) == 3);
+    CHECK(taut_curves_closed(curves, (taut_output){.data = closed, .count = 1}) == TAUT_STATUS_OK && closed[0] == 1);
+    taut_curves_free(curves);
+    taut_mesh_free(mesh);
+}
+
+static void lines_that_make_no_sense(void) {
+    taut_mesh *mesh = rectangle();
+    taut_curves *curves = (taut_curves *)&failures; /* must be overwritten */
+    const double levels[] = {1, NAN};
+    const taut_input four = {.data = along_x, .count = 4};
+    CHECK_FAILS(taut_isolines_new(mesh, four, (taut_input){0}, &curves), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(curves == NULL);
+    CHECK_FAILS(taut_isolines_new(mesh, values, (taut_input){.data = levels, .count = 2}, &curves),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_LEVEL, 1);
+    taut_input as_indices = values;
+    as_indices.type = TAUT_TYPE_I64;
+    CHECK_FAILS(taut_isolines_new(mesh, as_indices, values, &curves), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+
+    /* No levels: no curves, and the end of none. */
+    uint32_t end = 7;
+    CHECK(taut_isolines_new(mesh, values, (taut_input){0}, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_count(curves) == 0 && taut_curves_point_count(curves) == 0);
+    CHECK(taut_curves_offsets(curves, (taut_output){.data = &end, .count = 1}) == TAUT_STATUS_OK && end == 0);
+    CHECK(taut_curves_positions(curves, (taut_output){0}) == TAUT_STATUS_OK);
+    taut_curves_free(curves);
+    taut_mesh_free(mesh);
+}
+
+static void curves_fill_views_whole_or_not_at_all(void) {
+    enum { GAP = 29 };
+    taut_curves *curves = two_lines();
+    unsigned char bytes[1 + 6 * GAP];
+    memset(bytes, 0xab, sizeof bytes);
+    const taut_output strided = {.data = bytes + 1, .count = 6, .stride = GAP, .type = TAUT_TYPE_F32};
+    CHECK(taut_curves_positions(curves, strided) == TAUT_STATUS_OK);
+    for (size_t i = 0; i < 6; i++) {
+        float x;
+        memcpy(&x, bytes + 1 + i * GAP, sizeof x);
+        CHECK(x == (i < 3 ? 1.5f : 0.75f));
+        for (size_t gap = 3 * sizeof x; gap < GAP; gap++) CHECK(bytes[1 + i * GAP + gap] == 0xab);
+    }
+
+    double p[18];
+    int64_t few[7];
+    for (size_t i = 0; i < 18; i++) p[i] = -1;
+    for (size_t i = 0; i < 7; i++) few[i] = -1;
+    const taut_output five = {.data = p, .count = 5}, five_indices = {.data = few, .count = 5, .type = TAUT_TYPE_I64};
+    const taut_output two = {.data = few, .count = 2, .type = TAUT_TYPE_I64}, one = {.data = few, .count = 1};
+    CHECK_FAILS(taut_curves_positions(curves, five), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_curves_barycentrics(curves, five), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_curves_faces(curves, five_indices), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_curves_offsets(curves, two), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_curves_closed(curves, one), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_curves_levels(curves, one), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_curves_positions(curves, (taut_output){.data = p, .count = 6, .stride = 23}),
+                TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    for (size_t i = 0; i < 18; i++) CHECK(p[i] == -1);
+    for (size_t i = 0; i < 7; i++) CHECK(few[i] == -1);
+    CHECK(taut_curves_levels(curves, two) == TAUT_STATUS_OK && few[0] == 0 && few[1] == 2 && few[2] == -1);
+    taut_curves_free(curves);
+}
+
 int main(void) {
     before_any_failure();
     versions_and_names();
@@ -605,6 +733,9 @@ int main(void) {
     exact_distances();
     reports();
     properties();
+    lines();
+    lines_that_make_no_sense();
+    curves_fill_views_whole_or_not_at_all();
     if (failures) fprintf(stderr, "%d checks failed\n", failures);
     return failures ? 1 : 0;
 }

@@ -178,6 +178,8 @@ enum taut_element
     TAUT_ELEMENT_TARGET = 4,
     /** A line of a text file, counted from 1. */
     TAUT_ELEMENT_LINE = 5,
+    /** A row of the levels. */
+    TAUT_ELEMENT_LEVEL = 6,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -189,6 +191,14 @@ typedef int32_t taut_element;
 
 /** Watches and cancels one long call from any thread. */
 typedef struct taut_control taut_control;
+
+/**
+ * Polylines on the surface of a mesh. Their points stand one after another, those of the first curve first.
+ *
+ * The segment from a point to the next one lies in the triangle that the point names. A closed curve has one more, from
+ * its last point to its first, which is not repeated.
+ */
+typedef struct taut_curves taut_curves;
 
 /** A mesh prepared for exact distances. Serves any number of calls. */
 typedef struct taut_exact taut_exact;
@@ -891,6 +901,114 @@ double taut_exact_field_final_radius(const taut_exact_field *field);
 
 /** Frees a field; NULL is fine. */
 void taut_exact_field_free(taut_exact_field *field);
+
+/**
+ * Draws the lines along which a field takes given values: points on edges of the mesh, joined through triangles.
+ *
+ * A vertex counts as above a level that it has itself, so the lines are the border of all that is at the level or above:
+ * a plateau has a line where it meets lower ground. Lines end at the boundary, beside triangles with a corner that is not
+ * finite, which have no lines, and on edges of three or more triangles, from where each triangle's line goes by itself.
+ * Higher ground is on a line's left in the first triangle that it crosses, seen from where the triangle's corners go
+ * round counter-clockwise.
+ *
+ * - `mesh`: not NULL; it may be freed afterwards.
+ * - `values`: rows of one real number, as many as there are vertices, in any unit; not finite where there is no value.
+ * - `levels`: rows of one real number, finite; in any order, and each has the same lines as if it were alone.
+ * - `out`: receives the curves, those of the first level first, to be freed with `taut_curves_free`; NULL on failure.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT where there are more or fewer values than vertices, or naming the level that is not
+ * finite; TAUT_REASON_TOO_MANY_ELEMENTS where the points exceed 32-bit indices. Cost: O(F log n + output) time for n
+ * levels together, O(F + output) memory. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_isolines_new(const taut_mesh *mesh,
+                              taut_input values,
+                              taut_input levels,
+                              taut_curves **out);
+
+/**
+ * Tells how many curves there are.
+ *
+ * - `curves`: not NULL.
+ *
+ * Returns 0 if `curves` is NULL. Cost: O(1). Threads: any.
+ */
+size_t taut_curves_count(const taut_curves *curves);
+
+/**
+ * Tells how many points all curves have together.
+ *
+ * - `curves`: not NULL.
+ *
+ * Returns 0 if `curves` is NULL. Cost: O(1). Threads: any.
+ */
+size_t taut_curves_point_count(const taut_curves *curves);
+
+/**
+ * Copies out where the points of each curve begin: curve i has the points from offsets[i] up to, not including,
+ * offsets[i + 1], at least two.
+ *
+ * - `curves`: not NULL.
+ * - `out`: rows of one index, at least `taut_curves_count` + 1; the first is 0, the last the number of points.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where an index exceeds the type. Cost: linear in the
+ * curves. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_curves_offsets(const taut_curves *curves, taut_output out);
+
+/**
+ * Copies the positions of the points out.
+ *
+ * - `curves`: not NULL.
+ * - `out`: rows of three real numbers, at least `taut_curves_point_count` of them; mesh units.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: linear in the points. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_curves_positions(const taut_curves *curves, taut_output out);
+
+/**
+ * Copies the triangles of the points out.
+ *
+ * - `curves`: not NULL.
+ * - `out`: rows of one index, at least `taut_curves_point_count` of them.
+ *
+ * Errors: as for `taut_curves_offsets`. Cost: linear in the points. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_curves_faces(const taut_curves *curves, taut_output out);
+
+/**
+ * Copies out where in its triangle each point lies: the weights of the corners.
+ *
+ * - `curves`: not NULL.
+ * - `out`: rows of three real numbers, at least `taut_curves_point_count` of them: not negative, their sum 1, and 0 at
+ *   the corner opposite the edge on which the point lies.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: linear in the points. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_curves_barycentrics(const taut_curves *curves, taut_output out);
+
+/**
+ * Copies out which curves are closed.
+ *
+ * - `curves`: not NULL.
+ * - `out`: rows of one index, at least `taut_curves_count` of them: 1 for a closed curve, else 0.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: linear in the curves. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_curves_closed(const taut_curves *curves, taut_output out);
+
+/**
+ * Copies out which level each curve belongs to.
+ *
+ * - `curves`: not NULL.
+ * - `out`: rows of one index, at least `taut_curves_count` of them: the level's place among the levels, never decreasing.
+ *
+ * Errors: as for `taut_curves_offsets`. Cost: linear in the curves. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_curves_levels(const taut_curves *curves,
+                               taut_output out);
+
+/** Frees curves; NULL is fine. */
+void taut_curves_free(taut_curves *curves);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -123,6 +123,8 @@ pub enum Element {
     Target(u64),
     /// A line of a text file.
     Line(u64),
+    /// An entry of the list of levels.
+    Level(u64),
 }
 
 impl fmt::Display for Element {
@@ -133,6 +135,7 @@ impl fmt::Display for Element {
             Element::Source(i) => write!(out, "source {i}"),
             Element::Target(i) => write!(out, "target {i}"),
             Element::Line(i) => write!(out, "line {i}"),
+            Element::Level(i) => write!(out, "level {i}"),
         }
     }
 }

@@ -4,6 +4,8 @@
 //!   milliseconds, within a percent or two on good meshes.
 //! - [`ExactSolver`]: shortest paths over the polyhedral surface, exact up to rounding.
 //!
+//! [`isolines`] draws the lines of equal value of such a field, or of any other.
+//!
 //! A [`Mesh`] is any soup of triangles, from buffers of any type and stride or from a file; it is checked once. Indices
 //! count from 0 and are those of the input; distances are in the mesh's units; a vertex that no source reaches has +inf.
 //! Long calls take a [`Control`], which tells their progress and cancels them.
@@ -50,7 +52,8 @@ pub use mesh::input::{ElementType, Faces, IndexType, Rows, ScalarType};
 pub use mesh::io::MeshFormat;
 pub use mesh::shapes;
 pub use report::{Angle, BoundaryLoop, Component, MeshReport, Properties};
-pub use surface::point::Source;
+pub use surface::isoline::{Isoline, MAX_LEVELS, even_levels, isolines, spaced_levels};
+pub use surface::point::{Curve, Source, SurfacePoint};
 
 /// Keeps the README's program running.
 #[cfg(doctest)]

@@ -149,7 +149,7 @@ impl FieldArgs {
 }
 
 impl HeatArgs {
-    fn first_given(&self) -> Option<&'static str> {
+    pub(crate) fn first_given(&self) -> Option<&'static str> {
         let given = [
             ("--time-step", self.time_step.is_some()),
             ("--time-scale", self.time_scale.is_some()),

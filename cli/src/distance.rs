@@ -67,7 +67,7 @@ pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
     let errors = reference.map(|reference| Errors::new(&field.distances, &reference));
     write(args, &field.distances)?;
     if args.json {
-        return report(&mesh, &field, read, errors).print();
+        return output::json(&report(&mesh, &field, read, errors));
     }
     if let Some(Errors { mean_percent, median_percent, max_percent }) = errors {
         eprintln!(

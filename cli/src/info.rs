@@ -38,13 +38,10 @@ pub(crate) fn run(args: &InfoArgs) -> Result<()> {
     let mesh = input::read(&args.mesh)?.0;
     let report = MeshReport::new(&mesh);
     let properties = Properties::of(&mesh);
-    let text = if args.json {
-        let object = Object::new(&mesh, &report, properties.as_ref());
-        serde_json::to_string(&object).map_err(|error| error.to_string())? + "\n"
-    } else {
-        text(&mesh, &report, properties.as_ref())
-    };
-    output::print(&text)
+    if args.json {
+        return output::json(&Object::new(&mesh, &report, properties.as_ref()));
+    }
+    output::print(&text(&mesh, &report, properties.as_ref()))
 }
 
 /// The formulas of t by the names they have on the command line.

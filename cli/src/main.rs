@@ -5,9 +5,11 @@
 mod args;
 mod comparison;
 mod distance;
+mod drawing;
 mod field;
 mod info;
 mod input;
+mod isolines;
 mod measured;
 mod numbers;
 mod output;
@@ -30,6 +32,7 @@ struct Cli {
 enum Command {
     Distance(distance::DistanceArgs),
     Info(info::InfoArgs),
+    Isolines(isolines::IsolinesArgs),
 }
 
 impl Command {
@@ -38,6 +41,7 @@ impl Command {
         match self {
             Command::Distance(args) => args.field.check(),
             Command::Info(_) => Ok(()),
+            Command::Isolines(args) => args.check(),
         }
     }
 
@@ -45,6 +49,7 @@ impl Command {
         match self {
             Command::Distance(args) => distance::run(args),
             Command::Info(args) => info::run(args),
+            Command::Isolines(args) => isolines::run(args),
         }
     }
 }

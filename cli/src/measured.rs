@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use taut::Control;
 
 /// Seconds of one stage of the work.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Default, Serialize)]
 pub(crate) struct Seconds {
     /// Of all threads of this process.
     cpu: f64,

@@ -30,12 +30,10 @@ pub(crate) struct Timing {
     pub(crate) solve: Seconds,
 }
 
-impl Report {
-    /// Prints the object on standard output, on one line.
-    pub(crate) fn print(&self) -> Result<()> {
-        let json = serde_json::to_string(self).map_err(|error| error.to_string())?;
-        print(&(json + "\n"))
-    }
+/// Prints an object on standard output as JSON, on one line.
+pub(crate) fn json(object: &impl Serialize) -> Result<()> {
+    let json = serde_json::to_string(object).map_err(|error| error.to_string())?;
+    print(&(json + "\n"))
 }
 
 /// One number a line, each as the shortest decimal that reads back to it.

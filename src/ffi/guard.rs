@@ -110,6 +110,8 @@ pub enum taut_element {
     Target = 4,
     /// A line of a text file, counted from 1.
     Line = 5,
+    /// A row of the levels.
+    Level = 6,
 }
 
 /// The last failure in detail.
@@ -169,6 +171,7 @@ fn error_detail(error: &Error) -> taut_error {
         Some(Element::Source(i)) => (taut_element::Source, i),
         Some(Element::Target(i)) => (taut_element::Target, i),
         Some(Element::Line(i)) => (taut_element::Line, i),
+        Some(Element::Level(i)) => (taut_element::Level, i),
     };
     taut_error {
         struct_size: size_of::<taut_error>(),

@@ -20,5 +20,6 @@ mod guard;
 mod heat;
 mod mesh;
 mod report;
+mod surface;
 mod types;
 mod version;

@@ -151,6 +151,16 @@ impl taut_input {
         unsafe { self.rows(width, scalar_type(self.r#type, name)?, name) }
     }
 
+    /// One real number a row.
+    ///
+    /// # Safety
+    /// The view describes readable memory.
+    pub(super) unsafe fn numbers(self, name: &str) -> Result<Vec<f64>> {
+        // SAFETY: as the caller promises.
+        let rows = unsafe { self.scalars(1, name)? };
+        Ok((0..rows.count()).map(|row| rows.scalar(row, 0)).collect())
+    }
+
     /// The rows as indices.
     ///
     /// # Safety

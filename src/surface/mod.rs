@@ -1,3 +1,4 @@
-//! Things on the surface: points, and later paths, isolines and comparisons.
+//! Things on the surface: sources, points, curves and isolines; later paths and comparisons.
 
+pub(crate) mod isoline;
 pub(crate) mod point;

@@ -1,6 +1,77 @@
-//! Sources: where distances are measured from.
+//! Places on the surface: points, curves, and the sources that distances are measured from.
 
 use crate::error::{Element, Error, Reason, Result};
+use crate::mesh::Mesh;
+
+/// A place on the surface: a triangle, and weights of its corners that are not negative and sum to 1.
+///
+/// On an edge the weight of the opposite corner is exactly 0, at a vertex those of both other corners are. Several
+/// triangles can name such a place; with the same weights they give the same position to the last bit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SurfacePoint {
+    /// The triangle.
+    pub face: u32,
+    /// The weight of each of its corners, in their order.
+    pub barycentric: [f64; 3],
+}
+
+/// A polyline over the surface.
+///
+/// The segment from a point to the next one lies in the triangle that the point names. A closed curve has one more, from
+/// its last point to its first, which is not repeated; an open one ends in a point that names the last segment's triangle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// Two points at least, no two that follow each other at the same position.
+    pub points: Vec<SurfacePoint>,
+    /// Whether the last point is joined to the first.
+    pub is_closed: bool,
+}
+
+impl SurfacePoint {
+    /// Where the point lies, in mesh units.
+    ///
+    /// Each coordinate is between those of the corners with a weight, so it does not overflow, and where the corners
+    /// agree it is exactly theirs.
+    ///
+    /// # Errors
+    /// [`Reason::BadArgument`] naming the face where the mesh has no such triangle.
+    pub fn position(&self, mesh: &Mesh) -> Result<[f64; 3]> {
+        let Some(triangle) = mesh.triangles().get(self.face as usize) else {
+            let message = format!("is where a point lies, but the mesh has {} triangles", mesh.triangle_count());
+            return Err(Error::at(Reason::BadArgument, Element::Face(u64::from(self.face)), message));
+        };
+        let corners = triangle.map(|v| mesh.positions()[v as usize]);
+        Ok([0, 1, 2].map(|axis| self.between(corners.map(|corner| corner[axis]))))
+    }
+
+    /// Σ wᵢ xᵢ over the corners with a weight, kept between the least and the greatest of their xᵢ.
+    fn between(&self, x: [f64; 3]) -> f64 {
+        let [mut sum, mut low, mut high] = [0.0, f64::INFINITY, f64::NEG_INFINITY];
+        for (w, x) in self.barycentric.into_iter().zip(x).filter(|&(w, _)| w != 0.0) {
+            sum += w * x;
+            low = x.min(low);
+            high = x.max(high);
+        }
+        // f64::clamp would panic for weights that are all 0, f64::min and max leave the sign of a zero open.
+        if sum < low {
+            low
+        } else if sum > high {
+            high
+        } else {
+            sum
+        }
+    }
+}
+
+impl Curve {
+    /// Where its points lie, in mesh units.
+    ///
+    /// # Errors
+    /// As [`SurfacePoint::position`].
+    pub fn positions(&self, mesh: &Mesh) -> Result<Vec<[f64; 3]>> {
+        self.points.iter().map(|point| point.position(mesh)).collect()
+    }
+}
 
 /// A place that distances are measured from, and the distance that it starts with.
 #[derive(Debug, Clone, Copy, PartialEq)]

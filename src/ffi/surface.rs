@@ -1,0 +1,179 @@
+//! `taut_curves`: polylines on the surface, so far isolines.
+
+use super::guard::{free, guard, guard_new, guard_value, required};
+use super::mesh::taut_mesh;
+use super::types::{taut_input, taut_output};
+use crate::{Error, Isoline, Mesh, Reason, Result, Status, isolines};
+
+/// Polylines on the surface of a mesh. Their points stand one after another, those of the first curve first.
+///
+/// The segment from a point to the next one lies in the triangle that the point names. A closed curve has one more, from
+/// its last point to its first, which is not repeated.
+pub struct taut_curves {
+    /// Where the points of each curve begin, and where all end.
+    offsets: Vec<[u32; 1]>,
+    positions: Vec<[f64; 3]>,
+    faces: Vec<[u32; 1]>,
+    barycentrics: Vec<[f64; 3]>,
+    /// 1 for a closed curve, else 0.
+    closed: Vec<[u32; 1]>,
+    levels: Vec<[u32; 1]>,
+}
+
+impl taut_curves {
+    fn new(mesh: &Mesh, lines: &[Isoline]) -> Result<taut_curves> {
+        let mut curves = taut_curves {
+            offsets: vec![[0]],
+            positions: Vec::new(),
+            faces: Vec::new(),
+            barycentrics: Vec::new(),
+            closed: Vec::new(),
+            levels: Vec::new(),
+        };
+        for Isoline { level, curve } in lines {
+            curves.positions.extend(curve.positions(mesh)?);
+            curves.faces.extend(curve.points.iter().map(|point| [point.face]));
+            curves.barycentrics.extend(curve.points.iter().map(|point| point.barycentric));
+            curves.closed.push([u32::from(curve.is_closed)]);
+            curves.levels.push([*level]);
+            let end = u32::try_from(curves.faces.len());
+            let end = end.map_err(|_| Error::new(Reason::TooManyElements, "the points exceed 32-bit indices"))?;
+            curves.offsets.push([end]);
+        }
+        Ok(curves)
+    }
+}
+
+/// Draws the lines along which a field takes given values: points on edges of the mesh, joined through triangles.
+///
+/// A vertex counts as above a level that it has itself, so the lines are the border of all that is at the level or above:
+/// a plateau has a line where it meets lower ground. Lines end at the boundary, beside triangles with a corner that is not
+/// finite, which have no lines, and on edges of three or more triangles, from where each triangle's line goes by itself.
+/// Higher ground is on a line's left in the first triangle that it crosses, seen from where the triangle's corners go
+/// round counter-clockwise.
+///
+/// - `mesh`: not NULL; it may be freed afterwards.
+/// - `values`: rows of one real number, as many as there are vertices, in any unit; not finite where there is no value.
+/// - `levels`: rows of one real number, finite; in any order, and each has the same lines as if it were alone.
+/// - `out`: receives the curves, those of the first level first, to be freed with `taut_curves_free`; NULL on failure.
+///
+/// Errors: TAUT_REASON_BAD_ARGUMENT where there are more or fewer values than vertices, or naming the level that is not
+/// finite; TAUT_REASON_TOO_MANY_ELEMENTS where the points exceed 32-bit indices. Cost: O(F log n + output) time for n
+/// levels together, O(F + output) memory. Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_isolines_new(
+    mesh: Option<&taut_mesh>,
+    values: taut_input,
+    levels: taut_input,
+    out: *mut *mut taut_curves,
+) -> Status {
+    let body = || {
+        let mesh = &required(mesh, "mesh")?.0;
+        // SAFETY: the header asks for views of readable memory.
+        let (values, levels) = unsafe { (values.numbers("values")?, levels.numbers("levels")?) };
+        taut_curves::new(mesh, &isolines(mesh, &values, &levels)?)
+    };
+    // SAFETY: the header asks for a writable `out`.
+    unsafe { guard_new(out, body) }
+}
+
+/// Tells how many curves there are.
+///
+/// - `curves`: not NULL.
+///
+/// Returns 0 if `curves` is NULL. Cost: O(1). Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_curves_count(curves: Option<&taut_curves>) -> usize {
+    guard_value(0, || Ok(required(curves, "curves")?.levels.len()))
+}
+
+/// Tells how many points all curves have together.
+///
+/// - `curves`: not NULL.
+///
+/// Returns 0 if `curves` is NULL. Cost: O(1). Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_curves_point_count(curves: Option<&taut_curves>) -> usize {
+    guard_value(0, || Ok(required(curves, "curves")?.faces.len()))
+}
+
+/// Copies out where the points of each curve begin: curve i has the points from offsets[i] up to, not including,
+/// offsets[i + 1], at least two.
+///
+/// - `curves`: not NULL.
+/// - `out`: rows of one index, at least `taut_curves_count` + 1; the first is 0, the last the number of points.
+///
+/// Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where an index exceeds the type. Cost: linear in the
+/// curves. Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_curves_offsets(curves: Option<&taut_curves>, out: taut_output) -> Status {
+    // SAFETY: the header asks for a view of writable memory.
+    guard(|| unsafe { out.write_indices(&required(curves, "curves")?.offsets, "out") })
+}
+
+/// Copies the positions of the points out.
+///
+/// - `curves`: not NULL.
+/// - `out`: rows of three real numbers, at least `taut_curves_point_count` of them; mesh units.
+///
+/// Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: linear in the points. Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_curves_positions(curves: Option<&taut_curves>, out: taut_output) -> Status {
+    // SAFETY: the header asks for a view of writable memory.
+    guard(|| unsafe { out.write_scalars(&required(curves, "curves")?.positions, "out") })
+}
+
+/// Copies the triangles of the points out.
+///
+/// - `curves`: not NULL.
+/// - `out`: rows of one index, at least `taut_curves_point_count` of them.
+///
+/// Errors: as for `taut_curves_offsets`. Cost: linear in the points. Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_curves_faces(curves: Option<&taut_curves>, out: taut_output) -> Status {
+    // SAFETY: the header asks for a view of writable memory.
+    guard(|| unsafe { out.write_indices(&required(curves, "curves")?.faces, "out") })
+}
+
+/// Copies out where in its triangle each point lies: the weights of the corners.
+///
+/// - `curves`: not NULL.
+/// - `out`: rows of three real numbers, at least `taut_curves_point_count` of them: not negative, their sum 1, and 0 at
+///   the corner opposite the edge on which the point lies.
+///
+/// Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: linear in the points. Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_curves_barycentrics(curves: Option<&taut_curves>, out: taut_output) -> Status {
+    // SAFETY: the header asks for a view of writable memory.
+    guard(|| unsafe { out.write_scalars(&required(curves, "curves")?.barycentrics, "out") })
+}
+
+/// Copies out which curves are closed.
+///
+/// - `curves`: not NULL.
+/// - `out`: rows of one index, at least `taut_curves_count` of them: 1 for a closed curve, else 0.
+///
+/// Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: linear in the curves. Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_curves_closed(curves: Option<&taut_curves>, out: taut_output) -> Status {
+    // SAFETY: the header asks for a view of writable memory.
+    guard(|| unsafe { out.write_indices(&required(curves, "curves")?.closed, "out") })
+}
+
+/// Copies out which level each curve belongs to.
+///
+/// - `curves`: not NULL.
+/// - `out`: rows of one index, at least `taut_curves_count` of them: the level's place among the levels, never decreasing.
+///
+/// Errors: as for `taut_curves_offsets`. Cost: linear in the curves. Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_curves_levels(curves: Option<&taut_curves>, out: taut_output) -> Status {
+    // SAFETY: the header asks for a view of writable memory.
+    guard(|| unsafe { out.write_indices(&required(curves, "curves")?.levels, "out") })
+}
+
+/// Frees curves; NULL is fine.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_curves_free(curves: Option<Box<taut_curves>>) {
+    free(curves);
+}
