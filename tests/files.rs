@@ -285,7 +285,7 @@ fn a_decompression_bomb_is_refused() {
 #[test]
 fn a_missing_file_and_an_unknown_suffix_say_so() {
     assert_eq!(Mesh::read("nowhere/bunny.obj").unwrap_err().reason(), Reason::Io);
-    for path in ["bunny.stl", "bunny", "bunny.gz", "bunny.obj.zip", ""] {
+    for path in ["bunny.gltf", "bunny", "bunny.gz", "bunny.obj.zip", ""] {
         assert_eq!(Mesh::read(path).unwrap_err().reason(), Reason::UnknownFormat, "{path:?}");
     }
 }
