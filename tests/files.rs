@@ -307,6 +307,6 @@ fn every_mesh_of_the_corpus_has_the_counts_of_its_table() {
         let columns: Vec<&str> = line.split('\t').collect();
         let mesh = Mesh::read(folder.join(columns[0])).unwrap();
         let counts = [mesh.vertex_count(), mesh.triangle_count()];
-        assert_eq!(counts, [columns[1], columns[3]].map(|column| column.parse().unwrap()), "{}", columns[0]);
+        assert_eq!(counts, [columns[1], columns[3]].map(|column| column.parse::<usize>().unwrap()), "{}", columns[0]);
     }
 }

@@ -3,11 +3,13 @@
 //! Exit code 0 is success, 1 a failure (said on standard error), 2 a command line that makes no sense.
 
 mod args;
+mod compare;
 mod comparison;
 mod distance;
 mod field;
 mod input;
 mod measured;
+mod mesh_out;
 mod numbers;
 mod output;
 
@@ -27,6 +29,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Compare(compare::CompareArgs),
     Distance(distance::DistanceArgs),
 }
 
@@ -34,12 +37,14 @@ impl Command {
     /// Refuses what clap cannot see by itself.
     fn check(&self) -> std::result::Result<(), clap::Error> {
         match self {
+            Command::Compare(_) => Ok(()),
             Command::Distance(args) => args.field.check(),
         }
     }
 
     fn run(&self) -> Result<()> {
         match self {
+            Command::Compare(args) => compare::run(args),
             Command::Distance(args) => distance::run(args),
         }
     }
