@@ -5,7 +5,8 @@
 //!
 //! - PLY, binary little endian: the distance is the property `quality`, which MeshLab takes for its vertex quality and
 //!   Blender for an attribute; `red`, `green` and `blue` are its colour by viridis, from the least to the largest, and grey
-//!   where no source reaches. There `quality` is inf.
+//!   where no source reaches. There `quality` is inf, which MeshLab leaves out of its statistics and Blender 4.2 reads as
+//!   0; only the colour tells.
 //! - OBJ: the texture coordinates `vt u 0` have u from 0 at the least distance to 1 at the largest, so that an image of
 //!   stripes draws isolines, whatever the unit of the mesh; a comment tells the two distances. Where no source reaches it
 //!   is `vt 0 1`, the image's upper edge. (libgeodesic 0.1 wrote `vt d d` with the distance itself: its stripes repeat
