@@ -36,6 +36,14 @@ const NODE: &str = r#"{"mesh":0}"#;
 const PLAIN: &str = r#"{"attributes":{"POSITION":0}}"#;
 
 #[test]
+fn the_suffix_is_glb() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("triangle.glb");
+    std::fs::write(&path, scene(NODE, &[PLAIN], TRIANGLE)).unwrap();
+    assert_eq!(Mesh::read(&path).unwrap().triangles(), [[0, 1, 2]]);
+}
+
+#[test]
 fn a_mesh_without_seams_keeps_its_vertices_and_their_order() {
     let indices = r#"{"bufferView":1,"byteOffset":1,"componentType":5121,"count":3,"type":"SCALAR"}"#;
     let primitive = r#"{"attributes":{"POSITION":0,"NORMAL":7},"indices":1}"#;

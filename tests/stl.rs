@@ -1,5 +1,6 @@
 //! STL files: which corners are one vertex, which of the two encodings a file has, and what is said of broken ones.
 
+use std::io::Write;
 use taut::{Element, Mesh, MeshFormat, Reason};
 
 type Corners = [[f32; 3]; 3];
@@ -36,6 +37,17 @@ fn read(file: impl AsRef<[u8]>) -> Mesh {
 fn fails(file: impl AsRef<[u8]>) -> (Reason, Option<Element>) {
     let error = Mesh::read_bytes(file.as_ref(), MeshFormat::Stl).unwrap_err();
     (error.reason(), error.element())
+}
+
+#[test]
+fn the_suffix_is_stl_with_or_without_gz() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut packed = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
+    packed.write_all(&binary("any", &SQUARE)).unwrap();
+    for (name, file) in [("a.STL", text(&SQUARE).into_bytes()), ("b.stl.gz", packed.finish().unwrap())] {
+        std::fs::write(folder.path().join(name), file).unwrap();
+        assert_eq!(Mesh::read(folder.path().join(name)).unwrap().vertex_count(), 4, "{name}");
+    }
 }
 
 #[test]
