@@ -93,6 +93,9 @@ fn memory_is_in_proportion_to_the_file() {
             assert!(!is_mesh && bytes < 20 * file.len() + 10_000, "{format:?}: {bytes} of {}", file.len());
         }
     }
+    let nodes = vec!["{}"; 100_000].join(",");
+    let (bytes, _) = peak(&glb(&format!(r#"{{"nodes":[{nodes}]}}"#), &[]), MeshFormat::Glb);
+    assert!(bytes < 100 * nodes.len(), "nodes of glTF: {bytes} of {}", nodes.len());
     for (format, file) in grids(200) {
         let (bytes, is_mesh) = peak(&file, format);
         assert!(is_mesh && bytes < 20 * file.len(), "{format:?}: {bytes} of {}", file.len());

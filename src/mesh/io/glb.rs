@@ -120,6 +120,7 @@ struct SceneDef {
     nodes: Vec<u32>,
 }
 
+/// Three bytes of JSON make a node: the transforms, which most nodes lack, are boxed to keep it small.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 struct Node {
@@ -128,11 +129,11 @@ struct Node {
     skin: Option<u32>,
     weights: Vec<f64>,
     /// Column by column; else the transform is the next three.
-    matrix: Option<[f64; 16]>,
-    translation: Option<[f64; 3]>,
+    matrix: Option<Box<[f64; 16]>>,
+    translation: Option<Box<[f64; 3]>>,
     /// x, y, z, w.
-    rotation: Option<[f64; 4]>,
-    scale: Option<[f64; 3]>,
+    rotation: Option<Box<[f64; 4]>>,
+    scale: Option<Box<[f64; 3]>>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -212,13 +213,14 @@ struct Buffer {
 impl Node {
     fn transform(&self) -> Matrix4<f64> {
         if let Some(matrix) = &self.matrix {
-            return Matrix4::from_column_slice(matrix);
+            return Matrix4::from_column_slice(&**matrix);
         }
-        let [x, y, z, w] = self.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]);
-        let rotation = UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z));
-        Translation3::from(self.translation.unwrap_or_default()).to_homogeneous()
-            * rotation.to_homogeneous()
-            * Matrix4::new_nonuniform_scaling(&Vector3::from(self.scale.unwrap_or([1.0; 3])))
+        let [x, y, z, w] = self.rotation.as_deref().copied().unwrap_or([0.0, 0.0, 0.0, 1.0]);
+        let translation = self.translation.as_deref().copied().unwrap_or_default();
+        let scale = self.scale.as_deref().copied().unwrap_or([1.0; 3]);
+        Translation3::from(translation).to_homogeneous()
+            * UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z)).to_homogeneous()
+            * Matrix4::new_nonuniform_scaling(&Vector3::from(scale))
     }
 }
 
