@@ -214,6 +214,10 @@ fn a_scene_out_of_proportion_to_its_file_is_refused() {
     assert_eq!(read(&scene(&nodes, &[PLAIN], TRIANGLE)).triangle_count(), 2000);
     let many = vec![PLAIN; 2000].join(",");
     assert_eq!(fails(&scene(&nodes, &[&many], TRIANGLE)), Reason::Malformed);
+    let zeros = format!(r#"{{"primitives":[],"weights":[{}]}}"#, vec!["0"; 100_000].join(","));
+    let json = format!(r#"{{"nodes":[{}],"meshes":[{zeros}]}}"#, vec![NODE; 100_000].join(","));
+    let message = Mesh::read_bytes(&glb(&json, &[]), MeshFormat::Glb).unwrap_err().to_string();
+    assert!(message.contains("for each byte of the file"), "{message}: 10^10 weights are not looked at");
     // A diamond of nodes, each twice the child of the one before, would be 2^60 meshes.
     let diamond: Vec<String> = (1..60).map(|i| format!("{{\"children\":[{i},{i}]}}")).chain([NODE.into()]).collect();
     assert_eq!(fails(&scene(&diamond.join(","), &[PLAIN], TRIANGLE)), Reason::Malformed);

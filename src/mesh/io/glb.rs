@@ -28,7 +28,7 @@ use crate::error::{Error, Reason, Result};
 use nalgebra::{Matrix3, Matrix4, Quaternion, Translation3, UnitQuaternion, Vector3};
 use serde::Deserialize;
 
-/// How many vertices, corners and primitives a scene may show for each byte of its file. Every byte of an ordinary file
+/// How many vertices, corners, primitives and weights a scene may show for each byte of its file. Every byte of an ordinary file
 /// describes less than one; more than this many must be repetition.
 const MOST_REPETITION: u64 = 16;
 
@@ -242,7 +242,7 @@ impl Document {
 struct Scene<'a> {
     document: &'a Document,
     numbers: &'a [u8],
-    /// How many more vertices, corners and primitives the scene may show.
+    /// How many more vertices, corners, primitives and weights the scene may show.
     left: u64,
     welder: Welder,
     polygons: Polygons,
@@ -252,24 +252,30 @@ impl<'a> Scene<'a> {
     fn add_nodes(&mut self) -> Result<()> {
         let document = self.document;
         let mut is_reached = vec![false; document.nodes.len()];
-        // A stack of its own, so that no depth of nodes exhausts the program's.
-        let mut waiting: Vec<_> = document.roots()?.into_iter().rev().map(|node| (node, Matrix4::identity())).collect();
-        while let Some((index, above)) = waiting.pop() {
+        let roots = document.roots()?;
+        // The nodes that wait on each level and the transform above them: no depth exhausts the program's own stack.
+        let mut levels = vec![(roots.iter(), Matrix4::identity())];
+        while let Some((waiting, above)) = levels.last_mut() {
+            let Some(&index) = waiting.next() else {
+                levels.pop();
+                continue;
+            };
             let node = named(&document.nodes, "node", index)?;
             if std::mem::replace(&mut is_reached[index as usize], true) {
                 return Err(malformed(format!("node {index} is reached twice; the nodes of a scene are a tree")));
             }
-            let transform = above * node.transform();
+            let transform = *above * node.transform();
             if let Some(mesh) = node.mesh {
                 self.add_mesh(index, node, mesh, &transform)?;
             }
-            waiting.extend(node.children.iter().rev().map(|&child| (child, transform)));
+            levels.push((node.children.iter(), transform));
         }
         Ok(())
     }
 
     fn add_mesh(&mut self, index: u32, node: &Node, mesh: u32, transform: &Matrix4<f64>) -> Result<()> {
         let mesh = named(&self.document.meshes, "mesh", mesh)?;
+        self.take((mesh.primitives.len() + mesh.weights.len()) as u64)?;
         if node.skin.is_some() {
             return Err(refused(format!("node {index} has a skin; skinned meshes are not read")));
         }
@@ -280,7 +286,6 @@ impl<'a> Scene<'a> {
     }
 
     fn add_primitive(&mut self, primitive: &Primitive, transform: &Matrix4<f64>) -> Result<()> {
-        self.take(1)?;
         let mode = match primitive.mode.unwrap_or(4) {
             // Points and lines.
             0..=3 => return Ok(()),
