@@ -6,7 +6,7 @@ use common::corpus;
 use std::io::Write;
 use taut::{Element, Error, Mesh, MeshFormat, Reason};
 
-const FORMATS: [MeshFormat; 3] = [MeshFormat::Obj, MeshFormat::Off, MeshFormat::Ply];
+const FORMATS: [MeshFormat; 5] = [MeshFormat::Glb, MeshFormat::Obj, MeshFormat::Off, MeshFormat::Ply, MeshFormat::Stl];
 
 fn read(format: MeshFormat, content: impl AsRef<[u8]>) -> Mesh {
     Mesh::read_bytes(content.as_ref(), format).unwrap()
@@ -103,6 +103,52 @@ fn seventeen_digits_come_back_bit_for_bit() {
             assert_eq!(position.map(f64::to_bits), [x, y, z].map(f64::to_bits), "{format:?}");
         }
     }
+}
+
+#[test]
+fn extreme_numbers_and_numbers_that_are_none_come_back_bit_for_bit() {
+    let rows =
+        [[1e308, 1e-300, -0.0], [f64::MAX, f64::MIN_POSITIVE, 5e-324], [f64::NAN, f64::INFINITY, -f64::INFINITY]];
+    let text: String = rows.iter().map(|[x, y, z]| format!("{x:?} {y:?} {z:?}\n")).collect();
+    let binary: Vec<u8> = rows.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
+    let head = |format: &str| ply_header(format, 3, 0).replace("property uchar red\n", "");
+    let files = [
+        (MeshFormat::Obj, text.lines().map(|row| format!("v {row}\n")).collect::<String>().into_bytes()),
+        (MeshFormat::Off, format!("OFF\n3 0 0\n{text}").into_bytes()),
+        (MeshFormat::Ply, (head("ascii") + &text).into_bytes()),
+        (MeshFormat::Ply, [head("binary_little_endian").into_bytes(), binary].concat()),
+    ];
+    for (format, content) in files {
+        let mesh = read(format, content);
+        for (found, expected) in mesh.positions().iter().flatten().zip(rows.iter().flatten()) {
+            assert!(found.to_bits() == expected.to_bits() || found.is_nan() && expected.is_nan(), "{format:?} {found}");
+        }
+    }
+}
+
+#[test]
+fn a_file_may_have_no_face_or_nothing_but_a_line() {
+    for (vertices, faces) in [(1, 0), (2, 0), (2, 1)] {
+        let rows = ["0 0 0\n", "1 0 0\n"][..vertices].concat();
+        // A face that goes along the line and back.
+        let [obj_face, face] = if faces == 1 { ["f 1 2 1\n", "3 0 1 0\n"] } else { [""; 2] };
+        let obj: String = rows.lines().map(|row| format!("v {row}\n")).collect();
+        let files = [
+            (MeshFormat::Obj, obj + obj_face),
+            (MeshFormat::Off, format!("OFF\n{vertices} {faces} 0\n{rows}{face}")),
+            (
+                MeshFormat::Ply,
+                ply_header("ascii", vertices, faces) + &rows.replace("0\n", "0 0\n") + &face.replace('\n', " 0\n"),
+            ),
+        ];
+        for (format, content) in files {
+            let mesh = read(format, content);
+            let counts = [mesh.vertex_count(), mesh.triangle_count(), mesh.ignored_triangles().len()];
+            assert_eq!(counts, [vertices, faces, faces], "{format:?}");
+        }
+    }
+    assert_eq!(read(MeshFormat::Off, "OFF\n0 0 0\n").vertex_count(), 0);
+    assert_eq!(read(MeshFormat::Ply, ply_header("ascii", 0, 0)).vertex_count(), 0);
 }
 
 #[test]
@@ -285,7 +331,7 @@ fn a_decompression_bomb_is_refused() {
 #[test]
 fn a_missing_file_and_an_unknown_suffix_say_so() {
     assert_eq!(Mesh::read("nowhere/bunny.obj").unwrap_err().reason(), Reason::Io);
-    for path in ["bunny.stl", "bunny", "bunny.gz", "bunny.obj.zip", ""] {
+    for path in ["bunny.gltf", "bunny", "bunny.gz", "bunny.obj.zip", ""] {
         assert_eq!(Mesh::read(path).unwrap_err().reason(), Reason::UnknownFormat, "{path:?}");
     }
 }
@@ -307,6 +353,6 @@ fn every_mesh_of_the_corpus_has_the_counts_of_its_table() {
         let columns: Vec<&str> = line.split('\t').collect();
         let mesh = Mesh::read(folder.join(columns[0])).unwrap();
         let counts = [mesh.vertex_count(), mesh.triangle_count()];
-        assert_eq!(counts, [columns[1], columns[3]].map(|column| column.parse().unwrap()), "{}", columns[0]);
+        assert_eq!(counts, [columns[1], columns[3]].map(|column| column.parse::<usize>().unwrap()), "{}", columns[0]);
     }
 }

@@ -9,7 +9,7 @@ use taut::{HeatOptions, Laplacian, Shift, Solver, TimeFormula, TimeScale, TimeSt
 /// A field of distances: on which mesh, from where and how.
 #[derive(Debug, Args)]
 pub(crate) struct FieldArgs {
-    /// Mesh file: .obj, .off or .ply, also with .gz behind it
+    /// Mesh file: .glb, .obj, .off, .ply or .stl, also with .gz behind it
     pub(crate) mesh: PathBuf,
 
     /// Source vertex; may be given several times, for the distance to the nearest

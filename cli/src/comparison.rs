@@ -2,35 +2,52 @@
 //!
 //! The error of a vertex is |φ - ref| / |ref|; where ref = 0, at the sources, it counts as 0. Its mean
 //! 100/n · Σ |φ - ref| / |ref|, its median and its maximum are over all vertices but those that are unreachable in both;
-//! where only one of the two is infinite, so is the error. O(n).
+//! where only one of the two is infinite, so is the error. The largest difference |φ - ref|, in units of the mesh, is over
+//! the vertices that both reach. O(n log n).
 //!
 //! References: the mean is that of libgeodesic 0.1 (K. Crane), by which "Wave propagation time optimization for geodesic
 //! distances calculation using the Heat Method", Open Physics 17 (2019), has its figures.
 
 use serde::Serialize;
 
-/// Errors over the vertices, in percent.
+/// Errors over the vertices; of several vertices with the same error the first is named.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub(crate) struct Errors {
     pub(crate) mean_percent: f64,
     pub(crate) median_percent: f64,
     pub(crate) max_percent: f64,
+    /// `None` where no vertex is reached.
+    pub(crate) max_vertex: Option<usize>,
+    pub(crate) largest_difference: f64,
+    /// `None` where both reach no vertex in common.
+    pub(crate) largest_difference_vertex: Option<usize>,
 }
 
 impl Errors {
     /// Of two lists of the same length.
     pub(crate) fn new(distances: &[f64], reference: &[f64]) -> Errors {
-        let mut errors: Vec<f64> =
-            distances.iter().zip(reference).filter_map(|(&phi, &exact)| error(phi, exact)).collect();
+        let pairs = || distances.iter().copied().zip(reference.iter().copied()).enumerate();
+        let worst = first_largest(pairs().filter_map(|(v, (phi, exact))| Some((v, error(phi, exact)?))));
+        let differences = pairs().map(|(v, (phi, exact))| (v, (phi - exact).abs()));
+        let farthest = first_largest(differences.filter(|(_, difference)| difference.is_finite()));
+
+        let mut errors: Vec<f64> = pairs().filter_map(|(_, (phi, exact))| error(phi, exact)).collect();
         errors.sort_by(f64::total_cmp);
-        let percent = |error: Option<f64>| 100.0 * error.unwrap_or(0.0);
-        let middle = |shift: usize| errors.get(errors.len().saturating_sub(shift) / 2).copied();
+        let middle = |shift: usize| errors.get(errors.len().saturating_sub(shift) / 2).copied().unwrap_or_default();
         Errors {
-            mean_percent: percent(Some(errors.iter().sum::<f64>() / errors.len().max(1) as f64)),
-            median_percent: 0.5 * (percent(middle(0)) + percent(middle(1))),
-            max_percent: percent(errors.last().copied()),
+            mean_percent: 100.0 * errors.iter().sum::<f64>() / errors.len().max(1) as f64,
+            median_percent: 50.0 * (middle(0) + middle(1)),
+            max_percent: 100.0 * worst.map_or(0.0, |(_, error)| error),
+            max_vertex: worst.map(|(v, _)| v),
+            largest_difference: farthest.map_or(0.0, |(_, difference)| difference),
+            largest_difference_vertex: farthest.map(|(v, _)| v),
         }
     }
+}
+
+/// The first of the largest values, and its number.
+fn first_largest(values: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f64)> {
+    values.reduce(|largest, value| if value.1 > largest.1 { value } else { largest })
 }
 
 /// The relative error of one vertex; `None` where neither reaches it.
@@ -48,7 +65,7 @@ mod tests {
     use super::*;
 
     fn errors(distances: &[f64], reference: &[f64]) -> [f64; 3] {
-        let Errors { mean_percent, median_percent, max_percent } = Errors::new(distances, reference);
+        let Errors { mean_percent, median_percent, max_percent, .. } = Errors::new(distances, reference);
         [mean_percent, median_percent, max_percent]
     }
 
@@ -65,5 +82,18 @@ mod tests {
         assert_eq!(errors(&[0.0, 3.0, INF], &[0.0, 2.0, INF]), [25.0, 25.0, 50.0]);
         assert_eq!(errors(&[0.0, INF, 1.0], &[0.0, 2.0, 1.0]), [INF, 0.0, INF]);
         assert_eq!(errors(&[0.0, 2.0, 1.0], &[0.0, INF, 1.0]), [INF, 0.0, INF]);
+    }
+
+    #[test]
+    fn the_first_vertex_of_the_largest_error_is_named() {
+        let of = |distances: &[f64], reference: &[f64]| {
+            let Errors { max_vertex, largest_difference, largest_difference_vertex, .. } =
+                Errors::new(distances, reference);
+            (max_vertex, largest_difference, largest_difference_vertex)
+        };
+        assert_eq!(of(&[1.0, 3.0, 3.0, 11.0], &[0.0, 2.0, 2.0, 9.0]), (Some(1), 2.0, Some(3)));
+        assert_eq!(of(&[INF, 1.0, INF], &[INF, 1.5, 2.0]), (Some(2), 0.5, Some(1)));
+        assert_eq!(of(&[INF], &[INF]), (None, 0.0, None));
+        assert_eq!(of(&[], &[]), (None, 0.0, None));
     }
 }

@@ -4,10 +4,11 @@ use crate::args::FieldArgs;
 use crate::comparison::Errors;
 use crate::field::Field;
 use crate::measured::Seconds;
+use crate::mesh_out::MeshOut;
 use crate::output::{self, Report, Timing};
 use crate::{Result, input};
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use taut::{Element, Error, Mesh, Reason};
 
 const EXAMPLES: &str = "\
@@ -18,6 +19,8 @@ Examples:
       the exact distances, into a file
   taut distance bunny.obj --source 0 --reference exact.txt --json
       how far the heat method is from them, and how long it took
+  taut distance bunny.obj --source 0 -o distances.txt --mesh-out distances.ply
+      the mesh with colours, for MeshLab or Blender
   taut distance bunny.obj --source 0 --method exact --target 4711
       the distance of one vertex
 
@@ -47,6 +50,12 @@ pub(crate) struct DistanceArgs {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
+    /// Write the mesh with its distances to this file too. The suffix tells how:
+    ///   .ply  the distance as the property `quality`, and as a colour; grey where unreachable
+    ///   .obj  the distance as texture coordinate, from 0 at the least to 1 at the largest
+    #[arg(verbatim_doc_comment, long, value_name = "FILE", value_parser = MeshOut::parser())]
+    mesh_out: Option<MeshOut>,
+
     /// Print one JSON object on standard output: counts, time step, largest distance, seconds of
     /// work, and with --reference the errors; distances are then written to --output only
     #[arg(verbatim_doc_comment, long)]
@@ -59,17 +68,17 @@ pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
     args.target.map_or(Ok(()), |target| check_target(target, &mesh))?;
     let reference = args.reference.as_deref().map(|path| input::distances(path, &mesh)).transpose()?;
 
-    // Errors and the JSON object are about every vertex.
-    let is_all_wanted = args.json || args.reference.is_some();
+    // Errors, the JSON object and the mesh are about every vertex.
+    let is_all_wanted = args.json || args.reference.is_some() || args.mesh_out.is_some();
     let targets = args.target.filter(|_| !is_all_wanted).into_iter().collect();
     let field = Field::compute(&args.field, &mesh, &sources, targets).map_err(|error| error.to_string())?;
 
     let errors = reference.map(|reference| Errors::new(&field.distances, &reference));
-    write(args, &field.distances)?;
+    write(args, &mesh, &field.distances)?;
     if args.json {
         return output::json(&report(&mesh, &field, read, errors));
     }
-    if let Some(Errors { mean_percent, median_percent, max_percent }) = errors {
+    if let Some(Errors { mean_percent, median_percent, max_percent, .. }) = errors {
         eprintln!(
             "mean error {mean_percent:.5} %, median error {median_percent:.5} %, maximum error {max_percent:.5} %"
         );
@@ -86,17 +95,17 @@ fn check_target(target: u32, mesh: &Mesh) -> Result<()> {
     Err(Error::at(Reason::VertexOutOfRange, Element::Target(0), message).to_string())
 }
 
-/// Writes all distances or the target's to the file or, unless JSON goes there, to standard output.
-fn write(args: &DistanceArgs, distances: &[f64]) -> Result<()> {
+/// Writes all distances or the target's to the file or, unless JSON goes there, to standard output; and the mesh.
+fn write(args: &DistanceArgs, mesh: &Mesh, distances: &[f64]) -> Result<()> {
     let text = match args.target {
         Some(target) => output::lines(&[distances[target as usize]]),
         None => output::lines(distances),
     };
-    match &args.output {
-        Some(path) => output::write(path, &text),
-        None if args.json => Ok(()),
-        None => output::print(&text),
-    }
+    let mesh = args.mesh_out.as_ref().map(|out| (&*out.path, out.content(mesh, distances)));
+    let mut files: Vec<(&Path, &[u8])> = mesh.iter().map(|(path, content)| (*path, &content[..])).collect();
+    files.extend(args.output.as_deref().map(|path| (path, text.as_bytes())));
+    output::write(&files)?;
+    if args.output.is_some() || args.json { Ok(()) } else { output::print(&text) }
 }
 
 fn report(mesh: &Mesh, field: &Field, read: Seconds, error: Option<Errors>) -> Report {

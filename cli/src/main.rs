@@ -3,6 +3,7 @@
 //! Exit code 0 is success, 1 a failure (said on standard error), 2 a command line that makes no sense.
 
 mod args;
+mod compare;
 mod comparison;
 mod distance;
 mod drawing;
@@ -11,6 +12,7 @@ mod info;
 mod input;
 mod isolines;
 mod measured;
+mod mesh_out;
 mod numbers;
 mod output;
 
@@ -30,6 +32,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Compare(compare::CompareArgs),
     Distance(distance::DistanceArgs),
     Info(info::InfoArgs),
     Isolines(isolines::IsolinesArgs),
@@ -39,6 +42,7 @@ impl Command {
     /// Refuses what clap cannot see by itself.
     fn check(&self) -> std::result::Result<(), clap::Error> {
         match self {
+            Command::Compare(_) => Ok(()),
             Command::Distance(args) => args.field.check(),
             Command::Info(_) => Ok(()),
             Command::Isolines(args) => args.check(),
@@ -47,6 +51,7 @@ impl Command {
 
     fn run(&self) -> Result<()> {
         match self {
+            Command::Compare(args) => compare::run(args),
             Command::Distance(args) => distance::run(args),
             Command::Info(args) => info::run(args),
             Command::Isolines(args) => isolines::run(args),

@@ -5,6 +5,7 @@ use crate::comparison::Errors;
 use crate::measured::Seconds;
 use serde::Serialize;
 use std::fmt::Write as _;
+use std::fs::File;
 use std::io::{ErrorKind, Write as _};
 use std::path::Path;
 
@@ -54,7 +55,18 @@ pub(crate) fn print(text: &str) -> Result<()> {
     }
 }
 
-/// Writes a file.
-pub(crate) fn write(path: &Path, text: &str) -> Result<()> {
-    std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))
+/// Writes files, all or none: where one cannot be written, those that were begun are removed.
+pub(crate) fn write(files: &[(&Path, &[u8])]) -> Result<()> {
+    let mut begun = Vec::new();
+    for &(path, content) in files {
+        let file = File::create(path).inspect(|_| begun.push(path));
+        if let Err(error) = file.and_then(|mut file| file.write_all(content)) {
+            for path in begun.into_iter().filter(|path| path.is_file()) {
+                // What matters is the first failure; it is told.
+                let _ = std::fs::remove_file(path);
+            }
+            return Err(format!("{}: {error}", path.display()));
+        }
+    }
+    Ok(())
 }

@@ -131,7 +131,7 @@ fn a_reference_gives_the_error_in_percent() {
     assert!((percent("mean_percent") - 20.0 * 440.0 / 441.0).abs() < 1e-9);
     assert!((percent("median_percent") - 20.0).abs() < 1e-9);
     assert!((percent("max_percent") - 20.0).abs() < 1e-9);
-    assert_eq!(error.as_object().unwrap().len(), 3);
+    assert_eq!(error.as_object().unwrap().len(), 6);
 
     let output = desk.run(line);
     let said = String::from_utf8(output.stderr).unwrap();
@@ -160,7 +160,7 @@ fn a_failure_names_its_cause_and_writes_nothing() {
     desk.write("none.txt", "# nobody\n");
     for (line, part) in [
         ("distance missing.obj --source 0", "taut: error: missing.obj: "),
-        ("distance grid.stl --source 0", "taut: error: grid.stl: the suffix"),
+        ("distance grid.step --source 0", "taut: error: grid.step: the suffix"),
         ("distance bad.off --source 0", "taut: error: bad.off: face 0: names vertex 7"),
         ("distance grid.obj --sources missing.txt", "taut: error: missing.txt: "),
         ("distance grid.obj --sources sources.txt", "taut: error: sources.txt: line 2: expected a vertex"),

@@ -63,14 +63,18 @@ pub unsafe extern "C" fn taut_mesh_new_polygons(
     unsafe { guard_new(out, body) }
 }
 
-/// Reads a mesh file: OBJ, OFF or PLY, each also compressed. Polygons become fans as in `taut_mesh_new_polygons`.
+/// Reads a mesh file: binary glTF, OBJ, OFF, PLY or STL, each also compressed. Polygons become fans as in
+/// `taut_mesh_new_polygons`. glTF and STL repeat positions: there, equal positions become one vertex, numbered by first
+/// appearance; of glTF all triangles of the scene are read, each where its nodes place it.
 ///
-/// - `path`: not NULL, UTF-8, ended by a zero byte; the suffix tells the format: .obj, .off, .ply, or these and .gz.
+/// - `path`: not NULL, UTF-8, ended by a zero byte; the suffix tells the format: .glb, .obj, .off, .ply, .stl, or these
+///   and .gz.
 /// - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
 ///
-/// Errors: TAUT_STATUS_IO where the file cannot be read; TAUT_REASON_UNKNOWN_FORMAT where its suffix tells no format;
-/// TAUT_REASON_MALFORMED and TAUT_REASON_TRUNCATED name the line, vertex or face; else as for `taut_mesh_new_polygons`.
-/// Cost: linear in the file. Threads: any. Cannot be cancelled.
+/// Errors: TAUT_STATUS_IO where the file cannot be read; TAUT_REASON_UNKNOWN_FORMAT where its suffix tells no format, or
+/// its content uses a part of the format that is not read; TAUT_REASON_MALFORMED and TAUT_REASON_TRUNCATED name the
+/// line, vertex or face; else as for `taut_mesh_new_polygons`. Cost: linear in the file. Threads: any. Cannot be
+/// cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_mesh_read(path: *const c_char, out: *mut *mut taut_mesh) -> Status {
     let body = || {

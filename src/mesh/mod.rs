@@ -1,7 +1,8 @@
 //! Triangle meshes: any soup of triangles or polygons, checked once and then immutable.
 //!
 //! [`input`] reads the caller's buffers of any stride and type, [`io`] reads files, [`validate`] checks the result,
-//! [`topology`] connects it. Nothing is welded, dropped or reordered: vertex `v` of a mesh is vertex `v` of its input.
+//! [`topology`] connects it. Nothing is welded, dropped or reordered: vertex `v` of a mesh is vertex `v` of its input
+//! (of the formats without a vertex list of their own, STL and glTF, see [`io`]).
 //!
 //! A polygon becomes a fan of triangles from its first corner. A triangle that repeats a vertex index is kept, so that
 //! numbers do not shift, but it is *ignored*: nothing travels over it. Such triangles are listed by

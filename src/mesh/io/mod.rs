@@ -1,17 +1,21 @@
-//! Mesh files: OBJ, OFF and PLY, each also compressed by gzip.
+//! Mesh files: OBJ, OFF, PLY, STL and binary glTF, each also compressed by gzip.
 //!
 //! Vertex `v` and face `f` of the file are vertex `v` and face `f` of the mesh: nothing is merged, dropped or renumbered,
-//! whatever groups, materials or unreferenced vertices the file has. A text number is read to the nearest `f64` (17
-//! digits come back bit for bit), whatever type its file declares; `nan` and `inf` are numbers too. Normals, colours and
-//! texture coordinates are skipped.
+//! whatever groups, materials or unreferenced vertices the file has. STL and glTF repeat a position wherever faces or
+//! seams meet; there, equal positions become one vertex, numbered by first appearance ([`weld`]). A text number is read
+//! to the nearest `f64` (17 digits come back bit for bit), whatever type its file declares; `nan` and `inf` are numbers
+//! too. Normals, colours and texture coordinates are skipped.
 //!
 //! Cost: linear in the size of the file; no count that a file declares is believed before the bytes that bear it out are
 //! read. Errors name the line, or the vertex or face by its number in the file.
 
+mod glb;
 mod obj;
 mod off;
 mod ply;
+mod stl;
 mod text;
+mod weld;
 
 use super::Mesh;
 use super::input::fans;
@@ -23,29 +27,38 @@ use std::path::Path;
 /// A mesh file format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum MeshFormat {
+    /// Binary glTF 2.0: all triangles of the default scene, each where its nodes place it. Vertices of equal position are
+    /// one vertex, numbered by first appearance.
+    Glb,
     /// Wavefront OBJ: the `v` and `f` statements, negative (relative) indices included; points and lines are skipped.
     Obj,
     /// Geomview OFF in text, also as STOFF, COFF, NOFF and their combinations; one vertex or face a line.
     Off,
     /// Stanford PLY: text, binary little or big endian. Faces are polygons; a file of triangle strips is refused.
     Ply,
+    /// STL, binary or text. Corners of equal position are one vertex, numbered by first appearance.
+    Stl,
 }
 
 impl MeshFormat {
-    /// The format that a file's name tells: `.obj`, `.off` or `.ply` in any case, with or without `.gz` behind it.
+    /// The format that a file's name tells: `.glb`, `.obj`, `.off`, `.ply` or `.stl` in any case, with or without `.gz`
+    /// behind it.
     fn of(path: &Path) -> Option<MeshFormat> {
         let name = path.file_name()?.to_string_lossy().to_ascii_lowercase();
         match name.strip_suffix(".gz").unwrap_or(&name).rsplit_once('.')?.1 {
+            "glb" => Some(MeshFormat::Glb),
             "obj" => Some(MeshFormat::Obj),
             "off" => Some(MeshFormat::Off),
             "ply" => Some(MeshFormat::Ply),
+            "stl" => Some(MeshFormat::Stl),
             _ => None,
         }
     }
 }
 
 impl Mesh {
-    /// The mesh in a file; the suffix tells the format: `.obj`, `.off` or `.ply`, also with `.gz` behind it.
+    /// The mesh in a file; the suffix tells the format: `.glb`, `.obj`, `.off`, `.ply` or `.stl`, also with `.gz` behind
+    /// it.
     ///
     /// The messages of errors leave the path to the caller, as those of `std::fs` do.
     ///
@@ -55,7 +68,8 @@ impl Mesh {
     pub fn read(path: impl AsRef<Path>) -> Result<Mesh> {
         let path = path.as_ref();
         let format = MeshFormat::of(path).ok_or_else(|| {
-            Error::new(Reason::UnknownFormat, "the suffix is not .obj, .off or .ply, nor one of these and .gz")
+            let message = "the suffix is none of .glb, .obj, .off, .ply and .stl, nor one of these and .gz";
+            Error::new(Reason::UnknownFormat, message)
         })?;
         let bytes = std::fs::read(path).map_err(|error| Error::new(io_reason(&error), error.to_string()))?;
         Mesh::read_bytes(&bytes, format)
@@ -66,14 +80,16 @@ impl Mesh {
     /// # Errors
     /// [`Reason::Truncated`] and [`Reason::Malformed`] name the line, vertex or face where the content stops following
     /// its format. [`Reason::IndexOutOfRange`], [`Reason::FaceTooSmall`] and [`Reason::NonFiniteCoordinate`] as
-    /// [`Mesh::from_polygons`], with the face's number in the file. [`Reason::UnknownFormat`] for binary OFF and for
-    /// triangle strips.
+    /// [`Mesh::from_polygons`], with the face's number in the file. [`Reason::UnknownFormat`] for binary OFF,
+    /// triangle strips of PLY, and what of glTF is not read: compressed or outside buffers, skins, weighted morph targets.
     pub fn read_bytes(bytes: &[u8], format: MeshFormat) -> Result<Mesh> {
         let bytes = gunzipped(bytes)?;
         match format {
+            MeshFormat::Glb => glb::polygons(&bytes),
             MeshFormat::Obj => obj::polygons(&bytes),
             MeshFormat::Off => off::polygons(&bytes),
             MeshFormat::Ply => ply::polygons(&bytes),
+            MeshFormat::Stl => stl::polygons(&bytes),
         }?
         .into_mesh()
     }
