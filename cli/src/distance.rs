@@ -1,14 +1,15 @@
 //! `taut distance`: reads, computes, and only then writes, so that a failure leaves nothing behind.
 
 use crate::args::FieldArgs;
-use crate::comparison::Errors;
+use crate::comparison::{self, Errors};
 use crate::field::Field;
 use crate::measured::Seconds;
 use crate::output::{self, Report, Timing};
+use crate::picture::{Picture, PictureArgs, PictureFile, Quantity};
 use crate::{Result, input};
 use clap::Args;
 use std::path::PathBuf;
-use taut::{Element, Error, Mesh, Reason};
+use taut::{Element, Error, Mesh, Reason, Source};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -51,6 +52,9 @@ pub(crate) struct DistanceArgs {
     /// work, and with --reference the errors; distances are then written to --output only
     #[arg(verbatim_doc_comment, long)]
     json: bool,
+
+    #[command(flatten)]
+    picture: PictureArgs,
 }
 
 pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
@@ -59,12 +63,14 @@ pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
     args.target.map_or(Ok(()), |target| check_target(target, &mesh))?;
     let reference = args.reference.as_deref().map(|path| input::distances(path, &mesh)).transpose()?;
 
-    // Errors and the JSON object are about every vertex.
-    let is_all_wanted = args.json || args.reference.is_some();
+    // Errors, the JSON object and pictures are about every vertex.
+    let is_all_wanted = args.json || args.reference.is_some() || args.picture.is_wanted();
     let targets = args.target.filter(|_| !is_all_wanted).into_iter().collect();
     let field = Field::compute(&args.field, &mesh, &sources, targets).map_err(|error| error.to_string())?;
 
+    let picture = draw(args, &mesh, &sources, &field.distances, reference.as_deref())?;
     let errors = reference.map(|reference| Errors::new(&field.distances, &reference));
+    picture.write()?;
     write(args, &field.distances)?;
     if args.json {
         return report(&mesh, &field, read, errors).print();
@@ -84,6 +90,23 @@ fn check_target(target: u32, mesh: &Mesh) -> Result<()> {
     }
     let message = format!("is vertex {target}, but the mesh has {vertices} vertices");
     Err(Error::at(Reason::VertexOutOfRange, Element::Target(0), message).to_string())
+}
+
+/// The picture of the distances or, with a reference, of their errors.
+fn draw<'a>(
+    args: &'a DistanceArgs,
+    mesh: &Mesh,
+    sources: &[Source],
+    distances: &[f64],
+    reference: Option<&[f64]>,
+) -> Result<PictureFile<'a>> {
+    let sources: Vec<[f64; 3]> = sources.iter().map(|source| mesh.positions()[source.vertex_index() as usize]).collect();
+    let errors = reference.map(|reference| comparison::percents(distances, reference));
+    let (quantity, values) = match &errors {
+        Some(errors) => (Quantity::Error, &errors[..]),
+        None => (Quantity::Distance, distances),
+    };
+    args.picture.draw(&Picture { mesh, quantity, values, sources: &sources, lines: &[] })
 }
 
 /// Writes all distances or the target's to the file or, unless JSON goes there, to standard output.

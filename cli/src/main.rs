@@ -10,6 +10,7 @@ mod input;
 mod measured;
 mod numbers;
 mod output;
+mod picture;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;

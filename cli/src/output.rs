@@ -57,6 +57,6 @@ pub(crate) fn print(text: &str) -> Result<()> {
 }
 
 /// Writes a file.
-pub(crate) fn write(path: &Path, text: &str) -> Result<()> {
-    std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))
+pub(crate) fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<()> {
+    std::fs::write(path, content).map_err(|error| format!("{}: {error}", path.display()))
 }

@@ -1,0 +1,183 @@
+//! Pictures of a surface coloured by a value at each vertex, drawn in software: a PNG file, the same bytes every time.
+//!
+//! [`body`] brings the mesh to unit size, [`view`] and [`camera`] look at it, [`raster`] finds what is in front in each
+//! eighth of a pixel, [`surface`] paints it, [`light`] lights it, [`lines`] draws on it, [`legend`] says what the colours
+//! mean. Time O(lights · triangles + pixels), memory O(triangles + pixels).
+
+mod body;
+mod camera;
+mod canvas;
+mod colour;
+mod legend;
+mod light;
+mod lines;
+mod range;
+mod raster;
+mod surface;
+mod text;
+mod view;
+
+use crate::{Result, output};
+use body::Body;
+use camera::{Camera, Frame};
+use canvas::Canvas;
+use clap::Args;
+use colour::{ColourMap, srgb};
+use glam::Vec3;
+use legend::Legend;
+use light::{Lights, Place};
+use lines::Front;
+use range::Range;
+use std::path::PathBuf;
+use surface::{Paint, Piece};
+use taut::Mesh;
+use view::{Axes, View};
+
+const HEADING: &str = "Options of the picture";
+
+/// Options of the commands that draw.
+#[derive(Debug, Args)]
+pub(crate) struct PictureArgs {
+    /// Draw the surface and its values to this PNG file
+    #[arg(help_heading = HEADING, long, value_name = "FILE")]
+    picture: Option<PathBuf>,
+
+    /// Look from the front, back, left, right, top or bottom, or from the direction x,y,z; by default the view that shows
+    /// most
+    #[arg(help_heading = HEADING, long, requires = "picture", allow_hyphen_values = true)]
+    view: Option<View>,
+
+    /// Width and height of the picture in pixels
+    #[arg(help_heading = HEADING, long, value_name = "WxH", default_value = "1200x900", value_parser = size)]
+    size: [u32; 2],
+}
+
+fn size(text: &str) -> std::result::Result<[u32; 2], String> {
+    let range = 64..=4096;
+    let side = |text: &str| text.parse().ok().filter(|side| range.contains(side));
+    let sides = text.split_once('x').and_then(|(width, height)| Some([side(width)?, side(height)?]));
+    sides.ok_or_else(|| format!("not WIDTHxHEIGHT, each from {} to {}", range.start(), range.end()))
+}
+
+/// What the values are: it decides the colours, the title and whether there are isolines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Quantity {
+    Distance,
+    /// In percent.
+    Error,
+}
+
+/// What is drawn.
+pub(crate) struct Picture<'a> {
+    pub(crate) mesh: &'a Mesh,
+    pub(crate) quantity: Quantity,
+    /// One for each vertex; grey where it is not finite.
+    pub(crate) values: &'a [f64],
+    /// Marked by a small ball.
+    pub(crate) sources: &'a [[f64; 3]],
+    /// Lines on the surface.
+    pub(crate) lines: &'a [Vec<[f64; 3]>],
+}
+
+/// A picture that is ready to be written.
+pub(crate) struct PictureFile<'a>(Option<(&'a PathBuf, Vec<u8>)>);
+
+impl PictureArgs {
+    pub(crate) fn is_wanted(&self) -> bool {
+        self.picture.is_some()
+    }
+
+    /// Draws the picture, if one was asked for.
+    pub(crate) fn draw(&self, picture: &Picture) -> Result<PictureFile<'_>> {
+        let Some(path) = &self.picture else { return Ok(PictureFile(None)) };
+        let canvas = picture.draw(self.view, self.size);
+        let bytes = canvas.png().map_err(|error| format!("{}: {error}", path.display()))?;
+        Ok(PictureFile(Some((path, bytes))))
+    }
+}
+
+impl PictureFile<'_> {
+    /// Writes the file, if there is one.
+    pub(crate) fn write(&self) -> Result<()> {
+        self.0.as_ref().map_or(Ok(()), |(path, bytes)| output::write(path, bytes))
+    }
+}
+
+const BACKGROUND: u32 = 0xf6_f7_f9;
+
+impl Quantity {
+    fn map(self) -> ColourMap {
+        ColourMap::through(match self {
+            Quantity::Distance => &[0xfd_f3_c4, 0xfb_c2_6a, 0xf2_83_66, 0xc8_52_86, 0x80_3c_9c, 0x38_2f_7c],
+            Quantity::Error => &[0xf4_f4_f0, 0xf7_d8_a8, 0xf0_9a_5e, 0xd6_4a_3f, 0x8e_17_36, 0x4a_0c_2c],
+        })
+    }
+
+    fn words(self) -> [&'static str; 2] {
+        match self {
+            Quantity::Distance => ["Distance", "mesh units"],
+            Quantity::Error => ["Error", "%"],
+        }
+    }
+}
+
+impl Picture<'_> {
+    fn draw(&self, view: Option<View>, [width, height]: [u32; 2]) -> Canvas {
+        let em = 0.02 * width.min(height) as f32;
+        let range = Range::new(self.values, self.quantity == Quantity::Error);
+        let map = self.quantity.map();
+        let mut canvas = Canvas::new(width, height, srgb(BACKGROUND));
+        if let Some(body) = Body::new(self.mesh, self.sources) {
+            self.draw_body(&mut canvas, &body, view, range, &map);
+        }
+        let [title, unit] = self.quantity.words();
+        let neutral = self.values.iter().any(|value| !value.is_finite()).then_some("unreachable");
+        Legend { title, unit, range, map: &map, neutral }.draw(&mut canvas, em);
+        canvas
+    }
+
+    fn draw_body(&self, canvas: &mut Canvas, body: &Body, view: Option<View>, range: Range, map: &ColourMap) {
+        let [width, height] = [canvas.width, canvas.height];
+        let side = width.min(height) as f32;
+        let values: Vec<f32> = self.values.iter().map(|&value| range.place(value)).collect();
+        let sources: Vec<Vec3> = self.sources.iter().map(|&source| body.place(source)).collect();
+        let axes = Axes::guess(body);
+        let [from, up] = view.map_or_else(|| axes.best(body, &values, &sources), |view| axes.named(view));
+        let margin = 0.06 * side;
+        let frame = Frame {
+            left: margin,
+            top: margin,
+            width: width as f32 - 2.0 * margin - Legend::width(0.02 * side),
+            height: height as f32 - 2.0 * margin,
+        };
+        let camera = Camera::new(body, from, up, frame);
+
+        let levels: Vec<f32> = match self.quantity {
+            Quantity::Distance => range.ticks(25.0).into_iter().map(|level| range.place(level)).collect(),
+            Quantity::Error => Vec::new(),
+        };
+        let paint = Paint { values: &values, map, levels: &levels, line: side / 750.0 };
+        let pieces = surface::pieces(body, &camera, &paint, width, height);
+        composed(canvas, body, &camera, pieces, axes.up);
+    }
+}
+
+/// Lights the pieces and adds them up.
+fn composed(canvas: &mut Canvas, body: &Body, camera: &Camera, pieces: Vec<Piece>, up: Vec3) {
+    let above = (camera.up - 0.8 * camera.forward).normalize();
+    let lamp = (0.9 * camera.up - 0.7 * camera.right - 0.9 * camera.forward).normalize();
+    let lights = Lights::new(above, lamp);
+    let _ = up;
+    let places: Vec<Place> = Vec::new();
+    let _ = places;
+    let (places, rest): (Vec<Place>, Vec<(u32, Vec3, f32)>) =
+        pieces.into_iter().map(|piece| (piece.place, (piece.pixel, piece.colour, piece.gloss))).unzip();
+    let reaching = lights.reaching(body, &places);
+    for ((place, (pixel, colour, gloss)), light) in places.iter().zip(rest).zip(reaching) {
+        let half = (lights.lamp + (camera.eye - place.position).normalize_or_zero()).normalize_or_zero();
+        let shine = gloss * place.normal.dot(half).max(0.0).powi(40) * light;
+        let share = place.samples.count_ones() as f32 / 8.0;
+        let at = &mut canvas.pixels[pixel as usize];
+        *at += share * (colour * light + shine - srgb(BACKGROUND));
+    }
+}

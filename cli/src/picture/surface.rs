@@ -1,0 +1,135 @@
+//! What each pixel shows: pieces of triangles with their place, normal and colour.
+//!
+//! All samples of a pixel that one triangle covers are one piece; it is painted once, at their middle. The value there is
+//! interpolated in perspective, v = N / D with N and D affine on the screen, so its gradient on the screen is known and an
+//! isoline is |v - level| / |∇v| pixels away: lines have one width everywhere. They fade where they would crowd.
+
+use super::body::Body;
+use super::camera::Camera;
+use super::colour::{ColourMap, srgb};
+use super::light::Place;
+use super::raster::{self, EIGHT, Window};
+use glam::Vec3;
+
+pub(super) const INK: u32 = 0x1c_1f_2b;
+/// Where there is no value.
+pub(super) const NEUTRAL: u32 = 0xb4_b6_ba;
+const BALL: u32 = 0x16_18_20;
+
+/// Rows that are drawn at a time: memory for samples stays small.
+const STRIP: u32 = 64;
+const NOTHING: u32 = u32::MAX;
+
+/// A part of a pixel.
+pub(super) struct Piece {
+    pub(super) pixel: u32,
+    pub(super) colour: Vec3,
+    pub(super) place: Place,
+    pub(super) gloss: f32,
+}
+
+/// What the surface is painted with.
+pub(super) struct Paint<'a> {
+    /// One for each vertex, in [0, 1] over the range of the map, or NaN.
+    pub(super) values: &'a [f32],
+    pub(super) map: &'a ColourMap,
+    /// Where isolines are, ascending, as values.
+    pub(super) levels: &'a [f32],
+    /// Width of an isoline in pixels.
+    pub(super) line: f32,
+}
+
+/// The pieces of all pixels, by rows.
+pub(super) fn pieces(body: &Body, camera: &Camera, paint: &Paint, width: u32, height: u32) -> Vec<Piece> {
+    let projected: Vec<Vec3> = body.positions.iter().map(|&p| camera.project(p)).collect();
+    let painter = Painter { body, camera, paint, projected: &projected };
+    let mut pieces = Vec::new();
+    let mut samples = vec![[(0.0, NOTHING); 8]; (width * STRIP.min(height)) as usize];
+    for first in (0..height).step_by(STRIP as usize) {
+        let rows = [first, (first + STRIP).min(height)];
+        samples.fill([(0.0, NOTHING); 8]);
+        for (f, t) in (0..).zip(&body.triangles) {
+            let corners = t.map(|v| projected[v as usize]);
+            raster::scan(corners, Window { width, rows }, &EIGHT, |x, y, sample, nearness| {
+                let at = &mut samples[((y - first) * width + x) as usize][sample];
+                if nearness > at.0 {
+                    *at = (nearness, f);
+                }
+            });
+        }
+        for (pixel, samples) in (first * width..rows[1] * width).zip(&samples) {
+            painter.pixel(pixel, [pixel % width, pixel / width], &samples.map(|(_, f)| f), &mut pieces);
+        }
+    }
+    pieces
+}
+
+struct Painter<'a> {
+    body: &'a Body,
+    camera: &'a Camera,
+    paint: &'a Paint<'a>,
+    projected: &'a [Vec3],
+}
+
+impl Painter<'_> {
+    /// Adds a piece for each triangle that the pixel's samples see.
+    fn pixel(&self, pixel: u32, [x, y]: [u32; 2], seen: &[u32; 8], pieces: &mut Vec<Piece>) {
+        let mut left = (0..8).filter(|&s| seen[s] != NOTHING).fold(0u8, |left, s| left | 1 << s);
+        while left != 0 {
+            let f = seen[left.trailing_zeros() as usize];
+            let own = (0..8).filter(|&s| seen[s] == f).fold(0u8, |own, s| own | 1 << s);
+            left &= !own;
+            let places = (0..8).filter(|s| own >> s & 1 == 1).map(|s| EIGHT.places[s]);
+            let sum = places.fold([0.0; 2], |sum, place| [sum[0] + place[0], sum[1] + place[1]]);
+            let count = f64::from(own.count_ones());
+            let at = [f64::from(x) + sum[0] / count, f64::from(y) + sum[1] / count];
+            pieces.extend(self.piece(pixel, at, f as usize, own));
+        }
+    }
+
+    fn piece(&self, pixel: u32, at: [f64; 2], f: usize, samples: u8) -> Option<Piece> {
+        let t = self.body.triangles[f];
+        let corners = t.map(|v| self.projected[v as usize]);
+        let edges = raster::edges(corners)?;
+        let nearness = corners.map(|corner| f64::from(corner.z));
+        let below = raster::combined(&edges, nearness);
+        let weights = [0, 1, 2].map(|i| (nearness[i] * edges[i].at(at) / below.at(at)) as f32);
+        let mix = |of: [Vec3; 3]| weights[0] * of[0] + weights[1] * of[1] + weights[2] * of[2];
+
+        let places = self.body.corners(f);
+        let position = mix(places);
+        let to_eye = self.camera.eye - position;
+        let face = (places[1] - places[0]).cross(places[2] - places[0]);
+        // Corner normals lean to the side of the face; the viewer sees the other side where the face turns away.
+        let side = if face.dot(to_eye) < 0.0 { -1.0 } else { 1.0 };
+        let normal = side * mix(self.body.normals[f]).normalize_or_zero();
+        let place = Place { position, normal, samples };
+        if f >= self.body.balls_from {
+            return Some(Piece { pixel, colour: srgb(BALL), place, gloss: 0.5 });
+        }
+
+        let values = t.map(|v| self.paint.values[v as usize]);
+        let above = [0, 1, 2].map(|i| nearness[i] * f64::from(values[i]));
+        let above = raster::combined(&edges, above);
+        let [n, d] = [above.at(at), below.at(at)];
+        let gradient = [above.a * d - n * below.a, above.b * d - n * below.b].map(|part| part / (d * d));
+        let colour = self.colour((n / d) as f32, gradient[0].hypot(gradient[1]) as f32);
+        Some(Piece { pixel, colour, place, gloss: 0.06 })
+    }
+
+    /// The colour of a value where it changes by `slope` a pixel.
+    fn colour(&self, value: f32, slope: f32) -> Vec3 {
+        if value.is_nan() {
+            return srgb(NEUTRAL);
+        }
+        let colour = self.paint.map.at(value);
+        let levels = self.paint.levels;
+        let next = levels.partition_point(|&level| level < value);
+        let near = &levels[next.saturating_sub(1)..(next + 1).min(levels.len())];
+        let off = near.iter().map(|level| (level - value).abs()).fold(f32::INFINITY, f32::min) / slope;
+        let apart = if let [low, high] = near { (high - low) / slope } else { f32::INFINITY };
+        let cover = (0.5 * self.paint.line + 0.5 - off).clamp(0.0, 1.0);
+        let fade = ((apart - 2.0 * self.paint.line) / (4.0 * self.paint.line)).clamp(0.0, 1.0);
+        if cover > 0.0 { colour.lerp(0.16 * colour, cover * fade) } else { colour }
+    }
+}
