@@ -15,16 +15,17 @@ const CREASE_COSINE: f32 = 0.766;
 const NEIGHBOURS: usize = 64;
 
 /// Radius of a ball, where the largest extent of the mesh is 2; many balls are smaller.
-const BALL: f32 = 0.022;
+const BALL: f32 = 0.028;
 
 pub(super) struct Body {
-    /// In [-1, 1].
+    /// In [-1, 1]; that of a vertex that no face uses is some other vertex's.
     pub(super) positions: Vec<Vec3>,
     pub(super) triangles: Vec<[u32; 3]>,
     /// One for each corner, of length 1, or 0 where a face has no area.
     pub(super) normals: Vec<[Vec3; 3]>,
     /// Triangles from here on are balls.
     pub(super) balls_from: usize,
+    vertices: usize,
     frame: Frame,
 }
 
@@ -56,11 +57,13 @@ impl Body {
         let triangles: Vec<[u32; 3]> = mesh.triangles().iter().filter(is_face).copied().collect();
         let at = |v: u32| DVec3::from(mesh.positions()[v as usize]);
         let frame = Frame::new(triangles.iter().flatten().map(|&v| at(v)))?;
-        let place = |&position: &[f64; 3]| frame.place(position.into());
-        let positions: Vec<Vec3> = mesh.positions().iter().map(place).collect();
+        let mut positions = vec![frame.place(at(triangles[0][0])); mesh.vertex_count()];
+        for &v in triangles.iter().flatten() {
+            positions[v as usize] = frame.place(at(v));
+        }
         let normals = corner_normals(&positions, &triangles);
         let balls_from = triangles.len();
-        let mut body = Body { positions, triangles, normals, balls_from, frame };
+        let mut body = Body { positions, triangles, normals, balls_from, vertices: mesh.vertex_count(), frame };
         body.add_balls(sources);
         Some(body)
     }
@@ -68,6 +71,11 @@ impl Body {
     /// Where a point of the mesh's space is in the picture's.
     pub(super) fn place(&self, point: [f64; 3]) -> Vec3 {
         self.frame.place(point.into())
+    }
+
+    /// The vertices of the surface, without those of balls.
+    pub(super) fn surface(&self) -> &[Vec3] {
+        &self.positions[..self.vertices]
     }
 
     /// The corners of a triangle.

@@ -38,8 +38,7 @@ impl Camera {
         let side = frame.width.min(frame.height);
         let [across, down] = [frame.width / side * HALF_VIEW, frame.height / side * HALF_VIEW];
         let mut most = [f32::NEG_INFINITY; 4];
-        for &v in body.triangles.iter().flatten() {
-            let p = body.positions[v as usize];
+        for p in &body.positions {
             let [x, y, z] = [p.dot(right), p.dot(up), p.dot(forward)];
             let planes = [x - across * z, -x - across * z, y - down * z, -y - down * z];
             most = [0, 1, 2, 3].map(|i| most[i].max(planes[i]));

@@ -5,7 +5,6 @@ use super::colour::{ColourMap, srgb};
 use super::range::Range;
 use super::surface::{INK, NEUTRAL};
 use super::text;
-use glam::Vec3;
 
 const TICKS: f64 = 6.0;
 
@@ -21,7 +20,7 @@ pub(super) struct Legend<'a> {
 impl Legend<'_> {
     /// How wide it is where a text is `em` pixels high.
     pub(super) fn width(em: f32) -> f32 {
-        9.0 * em
+        8.0 * em
     }
 
     /// Draws it; the bar is half as high as the picture.
@@ -77,9 +76,4 @@ fn rounded([left, top, right, bottom]: [f32; 4], radius: f32) -> impl Fn(f32, f3
         let dy = (top + radius - y).max(y - bottom + radius).max(0.0);
         radius - dx.hypot(dy) + 0.5
     }
-}
-
-/// A colour that reads well on the others.
-pub(super) fn ink() -> Vec3 {
-    srgb(INK)
 }

@@ -1,11 +1,12 @@
 //! Light: a bright sky with a large lamp in it, and the shadows of both.
 //!
 //! The sky is many small lights evenly over a half-sphere, the lamp a cluster of them. Each has a shadow map: the nearest
-//! depths as seen from it. What reaches a place is the sum over the lights of brightness · cos(angle) · visibility, so that
-//! corners are dark and shadows soft. O(lights · (triangles + places)).
+//! depths as seen from it. What reaches a piece of surface is the sum over the lights of brightness · cos(angle) · visibility, so that
+//! corners are dark and shadows soft. O(lights · (triangles + pieces)).
 
 use super::body::Body;
 use super::raster::{self, CENTRE, Window};
+use super::surface::Piece;
 use glam::Vec3;
 
 const SKY: u32 = 40;
@@ -16,7 +17,7 @@ const LAMP_SHARE: f32 = 0.45;
 const LAMP_SIZE: f32 = 0.3;
 
 /// Pixels across a shadow map.
-const SIZE: u32 = 320;
+const SIZE: u32 = 256;
 /// Half of what a shadow map spans; all of the surface is within √3 of the origin.
 const REACH: f32 = 1.75;
 
@@ -25,20 +26,7 @@ struct Light {
     brightness: f32,
 }
 
-/// A place that is lit.
-pub(super) struct Place {
-    pub(super) position: Vec3,
-    /// Of length 1, towards the viewer.
-    pub(super) normal: Vec3,
-    /// Which samples of its pixel it covers; each light shines on one sample in eight, so on all of a pixel together.
-    pub(super) samples: u8,
-}
-
-pub(super) struct Lights {
-    lights: Vec<Light>,
-    /// Where the lamp is.
-    pub(super) lamp: Vec3,
-}
+pub(super) struct Lights(Vec<Light>);
 
 impl Lights {
     /// Around the direction `above`, with the lamp at `lamp`; both of length 1.
@@ -56,33 +44,42 @@ impl Lights {
         let mut lamp_lights: Vec<Light> = (0..LAMP).map(around).collect();
         scale(&mut lamp_lights, lamp, LAMP_SHARE);
         lights.extend(lamp_lights);
-        Lights { lights, lamp }
+        Lights(lights)
     }
 
-    /// What reaches a place of this normal where nothing is in the way.
-    pub(super) fn open(&self, normal: Vec3) -> f32 {
-        self.lights.iter().map(|light| light.brightness * normal.dot(light.direction).max(0.0)).sum()
+    /// What reaches a piece of this normal where nothing is in the way.
+    pub(super) fn open(&self, normal: Vec3, samples: u8) -> f32 {
+        let shining = self.0.iter().enumerate().filter(|(i, _)| samples >> (i % 8) & 1 == 1);
+        let sum: f32 = shining.map(|(_, light)| light.brightness * normal.dot(light.direction).max(0.0)).sum();
+        sum * share(samples)
     }
 
-    /// What reaches each place.
-    pub(super) fn reaching(&self, body: &Body, places: &[Place]) -> Vec<f32> {
-        let mut sums = vec![0.0; places.len()];
-        let mut map = ShadowMap::new();
-        for (i, light) in self.lights.iter().enumerate() {
-            map.draw(body, light.direction);
-            let sample = 1u8 << (i % 8);
-            for (sum, place) in sums.iter_mut().zip(places).filter(|(_, place)| place.samples & sample != 0) {
-                let cosine = place.normal.dot(light.direction);
-                if cosine > 0.0 {
-                    *sum += light.brightness * cosine * map.visibility(place, cosine);
+    /// What reaches each piece. Of each eight lights one shines on each sample, so that a pixel sees them all.
+    pub(super) fn reaching(&self, body: &Body, pieces: &[Piece]) -> Vec<f32> {
+        let mut sums = vec![0.0; pieces.len()];
+        let mut maps: [ShadowMap; 8] = std::array::from_fn(|_| ShadowMap::new());
+        for lights in self.0.chunks(8) {
+            for (map, light) in maps.iter_mut().zip(lights) {
+                map.draw(body, light.direction);
+            }
+            for (sum, piece) in sums.iter_mut().zip(pieces) {
+                let shining = (0..8).zip(lights).filter(|(sample, _)| piece.samples >> sample & 1 == 1);
+                for (sample, light) in shining {
+                    let cosine = piece.normal.dot(light.direction);
+                    if cosine > 0.0 {
+                        *sum += light.brightness * cosine * maps[sample].visibility(piece, cosine);
+                    }
                 }
             }
         }
-        for (sum, place) in sums.iter_mut().zip(places) {
-            *sum *= 8.0 / place.samples.count_ones() as f32;
-        }
+        sums.iter_mut().zip(pieces).for_each(|(sum, piece)| *sum *= share(piece.samples));
         sums
     }
+}
+
+/// What the light on some samples counts, so that it stands for all eight.
+fn share(samples: u8) -> f32 {
+    8.0 / samples.count_ones() as f32
 }
 
 /// Makes the lights give `share` to a surface across `towards`.
@@ -138,10 +135,10 @@ impl ShadowMap {
     }
 
     /// How much of the light passes, by the four nearest pixels of the map.
-    fn visibility(&self, place: &Place, cosine: f32) -> f32 {
+    fn visibility(&self, piece: &Piece, cosine: f32) -> f32 {
         // Steps off the surface by about a pixel of the map, more where light grazes it: no surface shades itself.
         let texel = 2.0 * REACH / SIZE as f32;
-        let p = self.project(place.position + (1.2 * texel) * place.normal);
+        let p = self.project(piece.position + (1.2 * texel) * piece.normal);
         let needed = p.z + texel * (0.3 + 0.7 * (1.0 - cosine * cosine).sqrt());
         let [x, y] = [p.x - 0.5, p.y - 0.5];
         let limit = (SIZE - 2) as f32;

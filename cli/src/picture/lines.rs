@@ -1,7 +1,9 @@
 //! Lines that lie on the surface: of one width in pixels, anti-aliased, hidden where the surface is in front of them.
 
 use super::camera::Camera;
-use super::surface::Piece;
+use super::canvas::Canvas;
+use super::colour::srgb;
+use super::surface::{INK, Piece};
 use glam::{Vec2, Vec3};
 
 /// What of the surface is in front in each pixel.
@@ -15,9 +17,9 @@ impl Front {
     pub(super) fn new(pieces: &[Piece], camera: &Camera, width: u32, height: u32) -> Front {
         let mut depths = vec![[f32::INFINITY, 0.0]; (width * height) as usize];
         for piece in pieces {
-            let way = piece.place.position - camera.eye;
+            let way = piece.position - camera.eye;
             let depth = way.dot(camera.forward);
-            let cosine = piece.place.normal.dot(-way.normalize_or_zero()).max(0.15);
+            let cosine = piece.normal.dot(-way.normalize_or_zero()).max(0.15);
             let at = &mut depths[piece.pixel as usize];
             if depth < at[0] {
                 *at = [depth, camera.pixel(1.0 / depth) * (1.0 - cosine * cosine).max(0.0).sqrt() / cosine];
@@ -26,14 +28,16 @@ impl Front {
         Front { width, depths }
     }
 
-    /// How much of each pixel the lines cover, from 0 to 1.
-    pub(super) fn cover(&self, camera: &Camera, lines: &[Vec<Vec3>], line: f32) -> Vec<f32> {
+    /// Draws lines, `line` pixels wide; where several pieces meet, they cover a pixel only once.
+    pub(super) fn draw(&self, canvas: &mut Canvas, camera: &Camera, lines: &[Vec<Vec3>], line: f32) {
         let mut cover = vec![0.0; self.depths.len()];
         for points in lines {
             let points: Vec<Vec3> = points.iter().map(|&point| camera.project(point)).collect();
             points.windows(2).for_each(|ends| self.segment([ends[0], ends[1]], 0.5 * line, &mut cover));
         }
-        cover
+        for (at, cover) in canvas.pixels.iter_mut().zip(cover) {
+            *at = at.lerp(srgb(INK), cover);
+        }
     }
 
     /// `ends` are on the screen: x, y, nearness.

@@ -1,7 +1,7 @@
 //! Pictures of a surface coloured by a value at each vertex, drawn in software: a PNG file, the same bytes every time.
 //!
 //! [`body`] brings the mesh to unit size, [`view`] and [`camera`] look at it, [`raster`] finds what is in front in each
-//! eighth of a pixel, [`surface`] paints it, [`light`] lights it, [`lines`] draws on it, [`legend`] says what the colours
+//! eighth of a pixel, [`surface`] paints it, [`light`] lights it, [`shade`] adds it up, [`lines`] draws on it, [`legend`] says what the colours
 //! mean. Time O(lights · triangles + pixels), memory O(triangles + pixels).
 
 mod body;
@@ -13,6 +13,7 @@ mod light;
 mod lines;
 mod range;
 mod raster;
+mod shade;
 mod surface;
 mod text;
 mod view;
@@ -25,11 +26,10 @@ use clap::Args;
 use colour::{ColourMap, srgb};
 use glam::Vec3;
 use legend::Legend;
-use light::{Lights, Place};
 use lines::Front;
 use range::Range;
 use std::path::PathBuf;
-use surface::{Paint, Piece};
+use surface::Paint;
 use taut::Mesh;
 use view::{Axes, View};
 
@@ -103,12 +103,10 @@ impl PictureFile<'_> {
     }
 }
 
-const BACKGROUND: u32 = 0xf6_f7_f9;
-
 impl Quantity {
     fn map(self) -> ColourMap {
         ColourMap::through(match self {
-            Quantity::Distance => &[0xfd_f3_c4, 0xfb_c2_6a, 0xf2_83_66, 0xc8_52_86, 0x80_3c_9c, 0x38_2f_7c],
+            Quantity::Distance => &[0xff_f1_d6, 0xff_c8_8a, 0xf8_8a_68, 0xd3_55_80, 0x8a_3f_9b, 0x3b_32_80],
             Quantity::Error => &[0xf4_f4_f0, 0xf7_d8_a8, 0xf0_9a_5e, 0xd6_4a_3f, 0x8e_17_36, 0x4a_0c_2c],
         })
     }
@@ -126,7 +124,7 @@ impl Picture<'_> {
         let em = 0.02 * width.min(height) as f32;
         let range = Range::new(self.values, self.quantity == Quantity::Error);
         let map = self.quantity.map();
-        let mut canvas = Canvas::new(width, height, srgb(BACKGROUND));
+        let mut canvas = Canvas::new(width, height, srgb(shade::BACKGROUND));
         if let Some(body) = Body::new(self.mesh, self.sources) {
             self.draw_body(&mut canvas, &body, view, range, &map);
         }
@@ -153,31 +151,18 @@ impl Picture<'_> {
         let camera = Camera::new(body, from, up, frame);
 
         let levels: Vec<f32> = match self.quantity {
-            Quantity::Distance => range.ticks(25.0).into_iter().map(|level| range.place(level)).collect(),
+            Quantity::Distance => range.ticks(30.0).into_iter().map(|level| range.place(level)).collect(),
             Quantity::Error => Vec::new(),
         };
         let paint = Paint { values: &values, map, levels: &levels, line: side / 750.0 };
-        let pieces = surface::pieces(body, &camera, &paint, width, height);
-        composed(canvas, body, &camera, pieces, axes.up);
-    }
-}
-
-/// Lights the pieces and adds them up.
-fn composed(canvas: &mut Canvas, body: &Body, camera: &Camera, pieces: Vec<Piece>, up: Vec3) {
-    let above = (camera.up - 0.8 * camera.forward).normalize();
-    let lamp = (0.9 * camera.up - 0.7 * camera.right - 0.9 * camera.forward).normalize();
-    let lights = Lights::new(above, lamp);
-    let _ = up;
-    let places: Vec<Place> = Vec::new();
-    let _ = places;
-    let (places, rest): (Vec<Place>, Vec<(u32, Vec3, f32)>) =
-        pieces.into_iter().map(|piece| (piece.place, (piece.pixel, piece.colour, piece.gloss))).unzip();
-    let reaching = lights.reaching(body, &places);
-    for ((place, (pixel, colour, gloss)), light) in places.iter().zip(rest).zip(reaching) {
-        let half = (lights.lamp + (camera.eye - place.position).normalize_or_zero()).normalize_or_zero();
-        let shine = gloss * place.normal.dot(half).max(0.0).powi(40) * light;
-        let share = place.samples.count_ones() as f32 / 8.0;
-        let at = &mut canvas.pixels[pixel as usize];
-        *at += share * (colour * light + shine - srgb(BACKGROUND));
+        let mut pieces = surface::pieces(body, &camera, &paint, width, height);
+        let ground = shade::ground(body, &camera, axes.up, &pieces, [width, height]);
+        pieces.extend(ground);
+        shade::add(canvas, body, &camera, &pieces);
+        if !self.lines.is_empty() {
+            let place = |line: &Vec<[f64; 3]>| line.iter().map(|&point| body.place(point)).collect();
+            let lines: Vec<Vec<Vec3>> = self.lines.iter().map(place).collect();
+            Front::new(&pieces, &camera, width, height).draw(canvas, &camera, &lines, side / 400.0);
+        }
     }
 }

@@ -50,10 +50,13 @@ impl Affine {
     }
 }
 
+/// The last place of numbers of this size is 1/256: adding it and taking it away rounds to that.
+const ROUNDER: f64 = 1.5 * (1u64 << 44) as f64;
+
 /// The edge functions of a triangle on the screen, each 0 on the edge opposite a corner and positive inside; `None` where
 /// it has no area.
 pub(super) fn edges(corners: [Vec3; 3]) -> Option<[Affine; 3]> {
-    let snapped = |coordinate: f32| (f64::from(coordinate) * 256.0).round() / 256.0;
+    let snapped = |coordinate: f32| (f64::from(coordinate) + ROUNDER) - ROUNDER;
     let [p, q, r] = corners.map(|corner| [snapped(corner.x), snapped(corner.y)]);
     let area = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
     let edge = |[from, to]: [[f64; 2]; 2]| {
@@ -103,6 +106,7 @@ fn touched(c: [f32; 3], pattern: &Pattern, limits: [u32; 2]) -> [i32; 2] {
     const SNAP: f32 = 1.0 / 256.0;
     let low = c[0].min(c[1]).min(c[2]) - pattern.range[1] - SNAP;
     let high = c[0].max(c[1]).max(c[2]) - pattern.range[0] + SNAP;
-    // The casts saturate; limits are those of a picture.
-    [(low.ceil() as i32).max(limits[0] as i32), (high.floor() as i32).min(limits[1] as i32 - 1)]
+    // Casts cut off the fraction and saturate. That of a negative `high` gives one pixel too many, which does no harm.
+    let first = low as i32 + i32::from(low > (low as i32) as f32);
+    [first.max(limits[0] as i32), (high as i32).min(limits[1] as i32 - 1)]
 }

@@ -7,14 +7,13 @@
 use super::body::Body;
 use super::camera::Camera;
 use super::colour::{ColourMap, srgb};
-use super::light::Place;
 use super::raster::{self, EIGHT, Window};
 use glam::Vec3;
 
 pub(super) const INK: u32 = 0x1c_1f_2b;
 /// Where there is no value.
-pub(super) const NEUTRAL: u32 = 0xb4_b6_ba;
-const BALL: u32 = 0x16_18_20;
+pub(super) const NEUTRAL: u32 = 0xc4_c6_ca;
+const BALL: u32 = 0x26_29_36;
 
 /// Rows that are drawn at a time: memory for samples stays small.
 const STRIP: u32 = 64;
@@ -23,9 +22,18 @@ const NOTHING: u32 = u32::MAX;
 /// A part of a pixel.
 pub(super) struct Piece {
     pub(super) pixel: u32,
+    /// Which of the pixel's samples it covers.
+    pub(super) samples: u8,
+    pub(super) position: Vec3,
+    /// Of length 1, towards the viewer.
+    pub(super) normal: Vec3,
     pub(super) colour: Vec3,
-    pub(super) place: Place,
-    pub(super) gloss: f32,
+    pub(super) finish: Finish,
+}
+
+pub(super) enum Finish {
+    Surface { gloss: f32 },
+    Ground,
 }
 
 /// What the surface is painted with.
@@ -103,9 +111,10 @@ impl Painter<'_> {
         // Corner normals lean to the side of the face; the viewer sees the other side where the face turns away.
         let side = if face.dot(to_eye) < 0.0 { -1.0 } else { 1.0 };
         let normal = side * mix(self.body.normals[f]).normalize_or_zero();
-        let place = Place { position, normal, samples };
+        let finished =
+            |colour, gloss| Some(Piece { pixel, samples, position, normal, colour, finish: Finish::Surface { gloss } });
         if f >= self.body.balls_from {
-            return Some(Piece { pixel, colour: srgb(BALL), place, gloss: 0.5 });
+            return finished(srgb(BALL), 0.6);
         }
 
         let values = t.map(|v| self.paint.values[v as usize]);
@@ -113,8 +122,8 @@ impl Painter<'_> {
         let above = raster::combined(&edges, above);
         let [n, d] = [above.at(at), below.at(at)];
         let gradient = [above.a * d - n * below.a, above.b * d - n * below.b].map(|part| part / (d * d));
-        let colour = self.colour((n / d) as f32, gradient[0].hypot(gradient[1]) as f32);
-        Some(Piece { pixel, colour, place, gloss: 0.06 })
+        let slope = (gradient[0] * gradient[0] + gradient[1] * gradient[1]).sqrt();
+        finished(self.colour((n / d) as f32, slope as f32), 0.05)
     }
 
     /// The colour of a value where it changes by `slope` a pixel.

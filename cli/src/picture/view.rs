@@ -54,20 +54,19 @@ pub(super) struct Axes {
     right: Vec3,
     pub(super) up: Vec3,
     is_flat: bool,
+    is_plane: bool,
 }
 
 impl Axes {
     pub(super) fn guess(body: &Body) -> Axes {
-        let faces = &body.triangles[..body.balls_from];
-        let points = || faces.iter().flatten().map(|&v| body.positions[v as usize]);
-        let low = points().fold(Vec3::INFINITY, Vec3::min);
-        let high = points().fold(Vec3::NEG_INFINITY, Vec3::max);
+        let low = body.surface().iter().copied().fold(Vec3::INFINITY, Vec3::min);
+        let high = body.surface().iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
         let mut extents = [(high.x - low.x, Vec3::X), (high.y - low.y, Vec3::Y), (high.z - low.z, Vec3::Z)];
         extents.sort_by(|a, b| a.0.total_cmp(&b.0));
         let is_flat = extents[0].0 < 0.25 * extents[1].0;
         let up = if is_flat { extents[0].1 } else { away_from_base(body, low, high).unwrap_or(Vec3::Y) };
         let right = if up.x == 0.0 { Vec3::X } else { Vec3::Y };
-        Axes { front: right.cross(up), right, up, is_flat }
+        Axes { front: right.cross(up), right, up, is_flat, is_plane: extents[0].0 < 1e-3 * extents[1].0 }
     }
 
     /// From which direction, and what is up there.
@@ -86,6 +85,9 @@ impl Axes {
 
     /// The best direction and what is up there. `values` are in [0, 1] or NaN.
     pub(super) fn best(&self, body: &Body, values: &[f32], sources: &[Vec3]) -> [Vec3; 2] {
+        if self.is_plane {
+            return self.named(View::Top);
+        }
         let elevations: &[f32] = if self.is_flat { &[0.7, 1.0] } else { &[0.2, 0.5] };
         let candidates = elevations.iter().flat_map(|&elevation| {
             (0..AZIMUTHS).map(move |i| (elevation, i as f32 / AZIMUTHS as f32 * std::f32::consts::TAU))
@@ -138,7 +140,7 @@ impl Axes {
     }
 }
 
-const AZIMUTHS: u32 = 16;
+const AZIMUTHS: u32 = 12;
 /// Pixels across a trial picture.
 const TRIAL: u32 = 96;
 const NOTHING: usize = usize::MAX;
