@@ -100,7 +100,8 @@ fn draw<'a>(
     distances: &[f64],
     reference: Option<&[f64]>,
 ) -> Result<PictureFile<'a>> {
-    let sources: Vec<[f64; 3]> = sources.iter().map(|source| mesh.positions()[source.vertex_index() as usize]).collect();
+    let sources: Vec<[f64; 3]> =
+        sources.iter().map(|source| mesh.positions()[source.vertex_index() as usize]).collect();
     let errors = reference.map(|reference| comparison::percents(distances, reference));
     let (quantity, values) = match &errors {
         Some(errors) => (Quantity::Error, &errors[..]),

@@ -49,9 +49,15 @@ impl Legend<'_> {
         if ticks.is_empty() {
             label(canvas, self.range.low, &format!("{}", self.range.low));
         }
+        if self.range.is_cut() {
+            let most =
+                format!("to {}", Range { low: 0.0, high: self.range.most, ..self.range }.label(self.range.most, 100.0));
+            text::write(canvas, &most, [bar[1] + em, top - 0.3 * em], em, grey);
+        }
         if let Some(neutral) = self.neutral {
             let y = (bottom + 1.4 * em).round();
-            canvas.fill([bar[0], y, bar[1], y + em.round()], |_| srgb(NEUTRAL), rounded([bar[0], y, bar[1], y + em.round()], 0.2 * em));
+            let square = [bar[0], y, bar[1], y + em.round()];
+            canvas.fill(square, |_| srgb(NEUTRAL), rounded(square, 0.2 * em));
             text::write(canvas, neutral, [bar[1] + em, y + 0.86 * em], em, ink);
         }
     }
@@ -60,7 +66,7 @@ impl Legend<'_> {
     fn bar(&self, canvas: &mut Canvas, [left, right]: [f32; 2], [top, bottom]: [f32; 2]) {
         let colour = |y: f32| self.map.at((bottom - y) / (bottom - top));
         canvas.fill([left, top, right, bottom], colour, rounded([left, top, right, bottom], 0.2 * (right - left)));
-        if self.range.is_cut {
+        if self.range.is_cut() {
             let half = 0.5 * (right - left);
             let tip = top - half;
             let cover = |x: f32, y: f32| half - (x - left - half).abs() - (tip + half - y).max(0.0) + 0.5;

@@ -9,7 +9,7 @@ use super::raster::{self, CENTRE, Window};
 use super::surface::Piece;
 use glam::Vec3;
 
-const SKY: u32 = 40;
+const SKY: u32 = 32;
 const LAMP: u32 = 16;
 /// How much brighter the lamp is than the sky, in all.
 const LAMP_SHARE: f32 = 0.45;

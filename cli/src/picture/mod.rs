@@ -119,9 +119,14 @@ impl Quantity {
     }
 }
 
+/// How high text is, in pixels.
+fn em([width, height]: [u32; 2]) -> f32 {
+    0.022 * width.min(height) as f32
+}
+
 impl Picture<'_> {
     fn draw(&self, view: Option<View>, [width, height]: [u32; 2]) -> Canvas {
-        let em = 0.02 * width.min(height) as f32;
+        let em = self::em([width, height]);
         let range = Range::new(self.values, self.quantity == Quantity::Error);
         let map = self.quantity.map();
         let mut canvas = Canvas::new(width, height, srgb(shade::BACKGROUND));
@@ -129,7 +134,8 @@ impl Picture<'_> {
             self.draw_body(&mut canvas, &body, view, range, &map);
         }
         let [title, unit] = self.quantity.words();
-        let neutral = self.values.iter().any(|value| !value.is_finite()).then_some("unreachable");
+        let mut drawn = self.mesh.triangles().iter().flatten();
+        let neutral = drawn.any(|&v| !self.values[v as usize].is_finite()).then_some("unreachable");
         Legend { title, unit, range, map: &map, neutral }.draw(&mut canvas, em);
         canvas
     }
@@ -145,7 +151,7 @@ impl Picture<'_> {
         let frame = Frame {
             left: margin,
             top: margin,
-            width: width as f32 - 2.0 * margin - Legend::width(0.02 * side),
+            width: width as f32 - 2.0 * margin - Legend::width(em([width, height])),
             height: height as f32 - 2.0 * margin,
         };
         let camera = Camera::new(body, from, up, frame);
@@ -163,6 +169,43 @@ impl Picture<'_> {
             let place = |line: &Vec<[f64; 3]>| line.iter().map(|&point| body.place(point)).collect();
             let lines: Vec<Vec<Vec3>> = self.lines.iter().map(place).collect();
             Front::new(&pieces, &camera, width, height).draw(canvas, &camera, &lines, side / 400.0);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use taut::shapes;
+
+    /// A flat square of 4 × 4 units from above, with lines.
+    fn square(lines: &[Vec<[f64; 3]>]) -> Canvas {
+        let mesh = shapes::grid(4, 4).mesh().unwrap();
+        let values = vec![f64::INFINITY; mesh.vertex_count()];
+        let picture = Picture { mesh: &mesh, quantity: Quantity::Distance, values: &values, sources: &[], lines };
+        picture.draw(Some(View::Top), [400, 400])
+    }
+
+    #[test]
+    fn lines_are_hidden_behind_the_surface_only() {
+        let plain = square(&[]);
+        let drawn = |z: f64| {
+            let lined = square(&[vec![[1.0, 2.0, z], [3.0, 2.0, z]]]);
+            lined.pixels.iter().zip(&plain.pixels).filter(|(a, b)| a.x < 0.8 * b.x).count()
+        };
+        // Half as long as the square is wide, and one or two pixels thick.
+        let width = square(&[]).pixels.chunks(400).map(|row| row.iter().filter(|p| p.x < 0.7).count()).max().unwrap();
+        assert!(drawn(0.0) > width / 2 - 2 && drawn(0.0) < width + 6, "{} {width}", drawn(0.0));
+        assert!(drawn(0.5) > width / 2 - 2);
+        assert_eq!(drawn(-0.5), 0);
+    }
+
+    #[test]
+    fn lines_that_are_nowhere_are_not_drawn() {
+        let plain = square(&[]);
+        for point in [[f64::NAN; 3], [f64::INFINITY; 3], [f64::MAX; 3], [0.0, 0.0, 1e9]] {
+            let lined = square(&[vec![point, point], vec![], vec![[0.0; 3]]]);
+            assert_eq!(lined.pixels, plain.pixels, "{point:?}");
         }
     }
 }

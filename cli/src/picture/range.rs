@@ -5,8 +5,8 @@
 pub(super) struct Range {
     pub(super) low: f64,
     pub(super) high: f64,
-    /// Whether there are values above `high`, which share its colour.
-    pub(super) is_cut: bool,
+    /// The largest value; where it is above `high`, it shares its colour.
+    pub(super) most: f64,
 }
 
 impl Range {
@@ -16,14 +16,18 @@ impl Range {
         let mut finite: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
         finite.sort_by(f64::total_cmp);
         let [Some(&least), Some(&most)] = [finite.first(), finite.last()] else {
-            return Range { low: 0.0, high: 0.0, is_cut: false };
+            return Range { low: 0.0, high: 0.0, most: 0.0 };
         };
         if !from_zero {
-            return Range { low: least, high: most, is_cut: false };
+            return Range { low: least, high: most, most };
         }
         let usual = finite[finite.len() * 99 / 100]; // less than len
         let is_cut = usual > 0.0 && most > 1.5 * usual;
-        Range { low: 0.0, high: if is_cut { usual } else { most }, is_cut }
+        Range { low: 0.0, high: if is_cut { usual } else { most }, most }
+    }
+
+    pub(super) fn is_cut(self) -> bool {
+        self.most > self.high
     }
 
     /// Where a value is between the ends, 0 to 1; NaN where it is not finite. Above the end it is above 1.
@@ -59,13 +63,54 @@ impl Range {
     /// How `ticks(most)` are written: as few digits as tell them apart.
     pub(super) fn label(self, tick: f64, most: f64) -> String {
         let step = self.step(most);
+        if tick.abs() < 1e-3 * step {
+            return "0".to_owned();
+        }
         let largest = self.low.abs().max(self.high.abs());
         if !(1e-4..1e6).contains(&largest) {
             let digits = (largest.log10().floor() - step.log10().floor()).clamp(0.0, 15.0);
             return format!("{tick:.0$e}", digits as usize);
         }
         let digits = (-(step * (1.0 + 1e-9)).log10().floor()).clamp(0.0, 15.0);
-        let text = format!("{tick:.0$}", digits as usize);
-        if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') { "0".to_owned() } else { text }
+        format!("{tick:.0$}", digits as usize)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(low: f64, high: f64) -> Vec<String> {
+        let range = Range { low, high, most: high };
+        range.ticks(6.0).into_iter().map(|tick| range.label(tick, 6.0)).collect()
+    }
+
+    #[test]
+    fn ticks_are_round_and_written_short() {
+        assert_eq!(labels(0.0, 3.1), ["0", "1", "2", "3"]);
+        assert_eq!(labels(0.0, 0.25), ["0", "0.05", "0.10", "0.15", "0.20", "0.25"]);
+        assert_eq!(labels(-1.0, 1.0), ["-1.0", "-0.5", "0", "0.5", "1.0"]);
+        assert_eq!(labels(990.0, 1012.0), ["990", "995", "1000", "1005", "1010"]);
+        assert_eq!(
+            labels(0.0, 1.2e-300),
+            ["0", "2.0e-301", "4.0e-301", "6.0e-301", "8.0e-301", "1.0e-300", "1.2e-300"]
+        );
+        assert!(labels(1.0, 1.0).is_empty());
+    }
+
+    #[test]
+    fn errors_are_cut_only_where_a_few_are_far_above_the_rest() {
+        let mut errors: Vec<f64> = (0..1000).map(|i| f64::from(i) / 1000.0).collect();
+        assert!(!Range::new(&errors, true).is_cut());
+        errors.extend([50.0, f64::INFINITY, f64::NAN]);
+        let range = Range::new(&errors, true);
+        assert_eq!((range.low, range.high, range.most), (0.0, 0.99, 50.0));
+        assert!(range.place(50.0) > 1.0 && range.place(f64::INFINITY).is_nan());
+    }
+
+    #[test]
+    fn the_whole_range_of_numbers_has_places() {
+        let range = Range::new(&[-f64::MAX, 0.0, f64::MAX], false);
+        assert_eq!([-f64::MAX, 0.0, f64::MAX].map(|value| range.place(value)), [0.0, 0.5, 1.0]);
     }
 }

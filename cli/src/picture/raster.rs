@@ -74,12 +74,7 @@ pub(super) fn combined(edges: &[Affine; 3], values: [f64; 3]) -> Affine {
 
 /// Calls `plot(column, row, sample, nearness)` for each sample in the window that the triangle covers; a corner is
 /// (x, y, nearness) with pixels as units.
-pub(super) fn scan(
-    corners: [Vec3; 3],
-    window: Window,
-    pattern: &Pattern,
-    mut plot: impl FnMut(u32, u32, usize, f32),
-) {
+pub(super) fn scan(corners: [Vec3; 3], window: Window, pattern: &Pattern, mut plot: impl FnMut(u32, u32, usize, f32)) {
     let columns = touched(corners.map(|p| p.x), pattern, [0, window.width]);
     let rows = touched(corners.map(|p| p.y), pattern, window.rows);
     if columns[0] > columns[1] || rows[0] > rows[1] {

@@ -19,7 +19,13 @@ const FILL: f32 = 0.2;
 const EXPOSURE: f32 = 1.08;
 
 /// The ground in those samples of each pixel that the surface leaves free; nothing where the viewer is below it.
-pub(super) fn ground(body: &Body, camera: &Camera, up: Vec3, pieces: &[Piece], [width, height]: [u32; 2]) -> Vec<Piece> {
+pub(super) fn ground(
+    body: &Body,
+    camera: &Camera,
+    up: Vec3,
+    pieces: &[Piece],
+    [width, height]: [u32; 2],
+) -> Vec<Piece> {
     let level = body.surface().iter().map(|p| p.dot(up)).fold(f32::INFINITY, f32::min) - 0.004;
     if camera.eye.dot(up) - level < 0.05 {
         return Vec::new();

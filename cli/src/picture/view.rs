@@ -7,7 +7,7 @@
 use super::body::Body;
 use super::camera::{Camera, Frame};
 use super::raster::{self, CENTRE, Window};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use std::str::FromStr;
 
 /// Where to look from.
@@ -44,8 +44,9 @@ const NO_VIEW: &str = "neither front, back, left, right, top or bottom nor a dir
 fn direction(text: &str) -> Option<Vec3> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse()).collect();
     let [x, y, z] = numbers.ok()?[..] else { return None };
-    let most = x.abs().max(y.abs()).max(z.abs());
-    (most > 0.0 && most.is_finite()).then(|| glam::DVec3::new(x / most, y / most, z / most).normalize().as_vec3())
+    let from = DVec3::new(x, y, z);
+    let most = from.abs().max_element();
+    (from.is_finite() && most > 0.0).then(|| (from / most).normalize().as_vec3())
 }
 
 /// The axes of the body, as a viewer in front of it names them.
