@@ -160,7 +160,7 @@ impl Picture<'_> {
             Quantity::Distance => range.ticks(30.0).into_iter().map(|level| range.place(level)).collect(),
             Quantity::Error => Vec::new(),
         };
-        let paint = Paint { values: &values, map, levels: &levels, line: side / 750.0 };
+        let paint = Paint { values: &values, map, levels: &levels, line: (side / 750.0).max(1.0) };
         let mut pieces = surface::pieces(body, &camera, &paint, width, height);
         let ground = shade::ground(body, &camera, axes.up, &pieces, [width, height]);
         pieces.extend(ground);

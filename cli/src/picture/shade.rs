@@ -16,7 +16,7 @@ const GROUND_SHADOW: f32 = 0.55;
 const GROUND_REACH: f32 = 2.5;
 /// Light that comes from everywhere, so that nothing is black.
 const FILL: f32 = 0.2;
-const EXPOSURE: f32 = 1.08;
+const EXPOSURE: f32 = 1.12;
 
 /// The ground in those samples of each pixel that the surface leaves free; nothing where the viewer is below it.
 pub(super) fn ground(
@@ -53,7 +53,7 @@ pub(super) fn ground(
 
 /// Adds the pieces to a canvas that shows the background.
 pub(super) fn add(canvas: &mut Canvas, body: &Body, camera: &Camera, pieces: &[Piece]) {
-    let above = (camera.up - 0.8 * camera.forward).normalize();
+    let above = (camera.up - camera.forward).normalize();
     let lamp = (0.9 * camera.up - 0.7 * camera.right - 0.9 * camera.forward).normalize();
     let lights = Lights::new(above, lamp);
     for (piece, light) in pieces.iter().zip(lights.reaching(body, pieces)) {
