@@ -19,6 +19,8 @@ Examples:
       the exact distances, into a file
   taut distance bunny.obj --source 0 --reference exact.txt --json
       how far the heat method is from them, and how long it took
+  taut distance bunny.obj --source 0 -o distances.txt --picture bunny.png
+      a picture of them
   taut distance bunny.obj --source 0 --method exact --target 4711
       the distance of one vertex
 

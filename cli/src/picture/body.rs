@@ -8,8 +8,8 @@ use glam::{DVec3, Vec3};
 use std::collections::HashMap;
 use taut::{Mesh, shapes};
 
-/// Faces that meet at more than 40 degrees make a crease.
-const CREASE_COSINE: f32 = 0.766;
+/// Faces that meet at more than 48 degrees make a crease.
+const CREASE_COSINE: f32 = 0.669;
 
 /// Around a vertex of more faces than this only some are looked at, evenly: a fan of a million faces costs no square.
 const NEIGHBOURS: usize = 64;
@@ -81,6 +81,11 @@ impl Body {
     /// The corners of a triangle.
     pub(super) fn corners(&self, f: usize) -> [Vec3; 3] {
         self.triangles[f].map(|v| self.positions[v as usize])
+    }
+
+    /// Of length 1, or 0 where the triangle has no area.
+    pub(super) fn face_normal(&self, f: usize) -> Vec3 {
+        area_normal(self.corners(f)).normalize_or_zero()
     }
 
     /// Balls where `sources` are, unless that is off the surface or nowhere, as an unreferenced vertex may be.

@@ -42,9 +42,9 @@ pub(crate) struct PictureArgs {
     #[arg(help_heading = HEADING, long, value_name = "FILE")]
     picture: Option<PathBuf>,
 
-    /// Look from the front, back, left, right, top or bottom, or from the direction x,y,z; by default the view that shows
-    /// most
-    #[arg(help_heading = HEADING, long, requires = "picture", allow_hyphen_values = true)]
+    /// Look from the front, back, left, right, top or bottom, or from the direction x,y,z;
+    /// by default from where most is seen
+    #[arg(verbatim_doc_comment, help_heading = HEADING, long, requires = "picture", allow_hyphen_values = true)]
     view: Option<View>,
 
     /// Width and height of the picture in pixels

@@ -129,15 +129,20 @@ impl Axes {
                 bins[((value * BINS as f32) as usize).min(BINS - 1)] += 1;
             }
         }
-        let is_seen = |source: &&Vec3| {
-            let spot = camera.project(**source);
+        // A source counts where nothing is in front of it, most where the surface around it faces the viewer.
+        let seen = |source: &Vec3| {
+            let spot = camera.project(*source);
             let [x, y] = [(spot.x as u32).min(TRIAL - 1), (spot.y as u32).min(TRIAL - 1)];
-            let (nearness, _) = front[(y * TRIAL + x) as usize];
-            nearness == 0.0 || 1.0 / spot.z - 1.0 / nearness < 0.04
+            let (nearness, f) = front[(y * TRIAL + x) as usize];
+            match f {
+                NOTHING => 0.3,
+                _ if 1.0 / spot.z - 1.0 / nearness > 0.04 => 0.0,
+                _ => 0.3 + 0.7 * body.face_normal(f).dot(from).abs(),
+            }
         };
-        let seen = sources.iter().filter(is_seen).count() as f32 / sources.len().max(1) as f32;
+        let seen = sources.iter().map(seen).sum::<f32>() / sources.len().max(1) as f32;
         let range = bins.iter().filter(|&&count| count > 2).count() as f32 / BINS as f32;
-        0.35 * area + range + 0.8 * seen
+        0.2 * area + range + seen
     }
 }
 
@@ -155,10 +160,10 @@ fn away_from_base(body: &Body, low: Vec3, high: Vec3) -> Option<Vec3> {
     let mut ends = [[0.0; 2]; 3];
     for f in 0..body.balls_from {
         let [a, b, c] = body.corners(f);
-        let normal = (b - a).cross(c - a);
-        let area = normal.length();
+        let area = (b - a).cross(c - a).length();
+        let normal = body.face_normal(f);
         total += area;
-        for axis in (0..3).filter(|&axis| normal[axis].abs() > 0.97 * area) {
+        for axis in (0..3).filter(|&axis| normal[axis].abs() > 0.97) {
             let middle = (a[axis] + b[axis] + c[axis]) / 3.0;
             let height = (middle - low[axis]) / (high[axis] - low[axis]);
             if height < 0.02 {
