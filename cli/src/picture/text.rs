@@ -21,6 +21,8 @@ pub(super) fn write(canvas: &mut Canvas, text: &str, [x, y]: [f32; 2], size: f32
         if let Some(outline) = font.outline_glyph(glyph) {
             let corner = outline.px_bounds().min;
             outline.draw(|dx, dy, cover| {
+                // Dark letters on light ground look thin where light is added up rightly.
+                let cover = cover * (2.0 - cover);
                 canvas.blend([corner.x as i64 + i64::from(dx), corner.y as i64 + i64::from(dy)], colour, cover);
             });
         }

@@ -64,7 +64,7 @@ impl Axes {
         let high = body.surface().iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
         let mut extents = [(high.x - low.x, Vec3::X), (high.y - low.y, Vec3::Y), (high.z - low.z, Vec3::Z)];
         extents.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let is_flat = extents[0].0 < 0.25 * extents[1].0;
+        let is_flat = extents[0].0 < 0.3 * extents[1].0;
         let up = if is_flat { extents[0].1 } else { away_from_base(body, low, high).unwrap_or(Vec3::Y) };
         let right = if up.x == 0.0 { Vec3::X } else { Vec3::Y };
         Axes { front: right.cross(up), right, up, is_flat, is_plane: extents[0].0 < 1e-3 * extents[1].0 }
