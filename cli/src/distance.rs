@@ -109,7 +109,7 @@ fn draw<'a>(
         Some(errors) => (Quantity::Error, &errors[..]),
         None => (Quantity::Distance, distances),
     };
-    args.picture.draw(&Picture { mesh, quantity, values, sources: &sources, lines: &[] })
+    args.picture.draw(&Picture { mesh, quantity, values, sources: &sources, levels: None, lines: &[] })
 }
 
 /// Writes all distances or the target's to the file or, unless JSON goes there, to standard output.

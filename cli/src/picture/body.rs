@@ -17,6 +17,9 @@ const NEIGHBOURS: usize = 64;
 /// Radius of a ball, where the largest extent of the mesh is 2; many balls are smaller.
 const BALL: f32 = 0.028;
 
+/// More sources than this are not marked: balls would cover the surface.
+const MOST_BALLS: usize = 10_000;
+
 pub(super) struct Body {
     /// In [-1, 1]; that of a vertex that no face uses is some other vertex's.
     pub(super) positions: Vec<Vec3>,
@@ -91,13 +94,15 @@ impl Body {
     /// Balls where `sources` are, unless that is off the surface or nowhere, as an unreferenced vertex may be.
     fn add_balls(&mut self, sources: &[[f64; 3]]) {
         let centres = sources.iter().map(|&source| self.place(source));
-        let centres: Vec<Vec3> = centres.filter(|c| c.abs().max_element() < 1.01).collect();
-        let crowd = centres.len() as f32 / 20.0;
-        let radius = BALL / crowd.max(1.0).cbrt();
-        let sphere = shapes::icosphere(if centres.len() > 100 { 0 } else { 3 });
+        let centres: Vec<Vec3> = centres.filter(|c| c.is_finite() && c.abs().max_element() < 1.01).collect();
+        if centres.len() > MOST_BALLS {
+            return;
+        }
+        let radius = BALL / (centres.len() as f32 / 20.0).max(1.0).cbrt();
+        let sphere = shapes::icosphere(if centres.len() > 100 { 1 } else { 3 });
         let directions: Vec<Vec3> = sphere.positions.iter().map(|&p| DVec3::from(p).as_vec3().normalize()).collect();
         for centre in centres {
-            let first = self.positions.len() as u32; // saturates never: 12 vertices for each of fewer than 2^28 sources
+            let first = self.positions.len() as u32; // fits, for any mesh that fits into memory
             self.positions.extend(directions.iter().map(|&direction| centre + radius * direction));
             self.triangles.extend(sphere.triangles.iter().map(|t| t.map(|v| first + v)));
             self.normals.extend(sphere.triangles.iter().map(|t| t.map(|v| directions[v as usize])));

@@ -14,7 +14,7 @@ pub(super) struct Front {
 }
 
 impl Front {
-    pub(super) fn new(pieces: &[Piece], camera: &Camera, width: u32, height: u32) -> Front {
+    pub(super) fn new(pieces: &[Piece], camera: &Camera, [width, height]: [u32; 2]) -> Front {
         let mut depths = vec![[f32::INFINITY, 0.0]; (width * height) as usize];
         for piece in pieces {
             let way = piece.position - camera.eye;

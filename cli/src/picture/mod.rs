@@ -1,8 +1,8 @@
 //! Pictures of a surface coloured by a value at each vertex, drawn in software: a PNG file, the same bytes every time.
 //!
 //! [`body`] brings the mesh to unit size, [`view`] and [`camera`] look at it, [`raster`] finds what is in front in each
-//! eighth of a pixel, [`surface`] paints it, [`light`] lights it, [`shade`] adds it up, [`lines`] draws on it, [`legend`] says what the colours
-//! mean. Time O(lights · triangles + pixels), memory O(triangles + pixels).
+//! eighth of a pixel, [`surface`] paints it, [`light`] lights it, [`shade`] adds it up, [`lines`] draws on it, [`legend`]
+//! says what the colours mean. Time O(lights · (triangles + pixels)), memory O(triangles + pixels).
 
 mod body;
 mod camera;
@@ -59,7 +59,7 @@ fn size(text: &str) -> std::result::Result<[u32; 2], String> {
     sides.ok_or_else(|| format!("not WIDTHxHEIGHT, each from {} to {}", range.start(), range.end()))
 }
 
-/// What the values are: it decides the colours, the title and whether there are isolines.
+/// What the values are: it decides the colours, the title and, by itself, whether there are isolines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Quantity {
     Distance,
@@ -73,9 +73,11 @@ pub(crate) struct Picture<'a> {
     pub(crate) quantity: Quantity,
     /// One for each vertex; grey where it is not finite.
     pub(crate) values: &'a [f64],
-    /// Marked by a small ball.
+    /// Marked by a small ball, where they are on the surface.
     pub(crate) sources: &'a [[f64; 3]],
-    /// Lines on the surface.
+    /// The values of isolines; `None` for round ones where the values are distances, and none where they are errors.
+    pub(crate) levels: Option<&'a [f64]>,
+    /// Lines on the surface, in mesh units.
     pub(crate) lines: &'a [Vec<[f64; 3]>],
 }
 
@@ -119,19 +121,14 @@ impl Quantity {
     }
 }
 
-/// How high text is, in pixels.
-fn em([width, height]: [u32; 2]) -> f32 {
-    0.022 * width.min(height) as f32
-}
-
 impl Picture<'_> {
     fn draw(&self, view: Option<View>, [width, height]: [u32; 2]) -> Canvas {
-        let em = self::em([width, height]);
+        let em = 0.022 * width.min(height) as f32;
         let range = Range::new(self.values, self.quantity == Quantity::Error);
         let map = self.quantity.map();
         let mut canvas = Canvas::new(width, height, srgb(shade::BACKGROUND));
         if let Some(body) = Body::new(self.mesh, self.sources) {
-            self.draw_body(&mut canvas, &body, view, range, &map);
+            self.draw_body(&mut canvas, &body, view, range, &map, Legend::width(em));
         }
         let [title, unit] = self.quantity.words();
         let mut drawn = self.mesh.triangles().iter().flatten();
@@ -140,36 +137,50 @@ impl Picture<'_> {
         canvas
     }
 
-    fn draw_body(&self, canvas: &mut Canvas, body: &Body, view: Option<View>, range: Range, map: &ColourMap) {
-        let [width, height] = [canvas.width, canvas.height];
-        let side = width.min(height) as f32;
+    /// Draws the surface beside the legend.
+    fn draw_body(
+        &self,
+        canvas: &mut Canvas,
+        body: &Body,
+        view: Option<View>,
+        range: Range,
+        map: &ColourMap,
+        legend: f32,
+    ) {
+        let size = [canvas.width, canvas.height];
+        let [width, height] = size.map(|side| side as f32);
         let values: Vec<f32> = self.values.iter().map(|&value| range.place(value)).collect();
-        let sources: Vec<Vec3> = self.sources.iter().map(|&source| body.place(source)).collect();
         let axes = Axes::guess(body);
+        let sources: Vec<Vec3> = self.sources.iter().map(|&source| body.place(source)).collect();
         let [from, up] = view.map_or_else(|| axes.best(body, &values, &sources), |view| axes.named(view));
+        let side = width.min(height);
         let margin = 0.06 * side;
-        let frame = Frame {
-            left: margin,
-            top: margin,
-            width: width as f32 - 2.0 * margin - Legend::width(em([width, height])),
-            height: height as f32 - 2.0 * margin,
-        };
-        let camera = Camera::new(body, from, up, frame);
+        let [free, down] = [width - 2.0 * margin - legend, height - 2.0 * margin];
+        let camera = Camera::new(body, from, up, Frame { left: margin, top: margin, width: free, height: down });
 
-        let levels: Vec<f32> = match self.quantity {
-            Quantity::Distance => range.ticks(30.0).into_iter().map(|level| range.place(level)).collect(),
-            Quantity::Error => Vec::new(),
-        };
+        let levels = self.levels(range);
         let paint = Paint { values: &values, map, levels: &levels, line: (side / 750.0).max(1.0) };
-        let mut pieces = surface::pieces(body, &camera, &paint, width, height);
-        let ground = shade::ground(body, &camera, axes.up, &pieces, [width, height]);
+        let mut pieces = surface::pieces(body, &camera, &paint, size);
+        let ground = shade::ground(body, &camera, axes.up, &pieces, size);
         pieces.extend(ground);
         shade::add(canvas, body, &camera, &pieces);
         if !self.lines.is_empty() {
             let place = |line: &Vec<[f64; 3]>| line.iter().map(|&point| body.place(point)).collect();
             let lines: Vec<Vec<Vec3>> = self.lines.iter().map(place).collect();
-            Front::new(&pieces, &camera, width, height).draw(canvas, &camera, &lines, side / 400.0);
+            Front::new(&pieces, &camera, size).draw(canvas, &camera, &lines, side / 400.0);
         }
+    }
+
+    /// Where isolines are between the ends of the range, ascending.
+    fn levels(&self, range: Range) -> Vec<f32> {
+        let levels = match (self.levels, self.quantity) {
+            (Some(levels), _) => levels.to_vec(),
+            (None, Quantity::Distance) => range.ticks(30.0),
+            (None, Quantity::Error) => Vec::new(),
+        };
+        let mut levels: Vec<f32> = levels.into_iter().map(|level| range.place(level)).collect();
+        levels.sort_by(f32::total_cmp);
+        levels
     }
 }
 
@@ -182,7 +193,8 @@ mod tests {
     fn square(lines: &[Vec<[f64; 3]>]) -> Canvas {
         let mesh = shapes::grid(4, 4).mesh().unwrap();
         let values = vec![f64::INFINITY; mesh.vertex_count()];
-        let picture = Picture { mesh: &mesh, quantity: Quantity::Distance, values: &values, sources: &[], lines };
+        let picture =
+            Picture { mesh: &mesh, quantity: Quantity::Distance, values: &values, sources: &[], levels: None, lines };
         picture.draw(Some(View::Top), [400, 400])
     }
 
@@ -198,6 +210,27 @@ mod tests {
         assert!(drawn(0.0) > width / 2 - 2 && drawn(0.0) < width + 6, "{} {width}", drawn(0.0));
         assert!(drawn(0.5) > width / 2 - 2);
         assert_eq!(drawn(-0.5), 0);
+    }
+
+    #[test]
+    fn isolines_are_where_they_are_wanted() {
+        let mesh = shapes::grid(4, 4).mesh().unwrap();
+        let values: Vec<f64> = mesh.positions().iter().map(|p| p[0]).collect();
+        let draw = |levels| {
+            let quantity = Quantity::Distance;
+            let picture = Picture { mesh: &mesh, quantity, values: &values, sources: &[], levels, lines: &[] };
+            picture.draw(Some(View::Top), [400, 400])
+        };
+        let plain = draw(Some(&[]));
+        let darker = |levels| {
+            let lined: Canvas = draw(levels);
+            let row = 200 * 400..201 * 400;
+            row.filter(|&at| lined.pixels[at].x < 0.9 * plain.pixels[at].x).count()
+        };
+        assert_eq!(darker(Some(&[])), 0);
+        assert!((1..=2).contains(&darker(Some(&[1.3]))));
+        assert!((2..=4).contains(&darker(Some(&[3.1, 0.7, f64::NAN, 99.0]))));
+        assert!(darker(None) > 10);
     }
 
     #[test]

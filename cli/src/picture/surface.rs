@@ -7,7 +7,7 @@
 use super::body::Body;
 use super::camera::Camera;
 use super::colour::{ColourMap, srgb};
-use super::raster::{self, EIGHT, Window};
+use super::raster::{self, Affine, EIGHT, Window};
 use glam::Vec3;
 
 pub(super) const INK: u32 = 0x1c_1f_2b;
@@ -48,7 +48,7 @@ pub(super) struct Paint<'a> {
 }
 
 /// The pieces of all pixels, by rows.
-pub(super) fn pieces(body: &Body, camera: &Camera, paint: &Paint, width: u32, height: u32) -> Vec<Piece> {
+pub(super) fn pieces(body: &Body, camera: &Camera, paint: &Paint, [width, height]: [u32; 2]) -> Vec<Piece> {
     let projected: Vec<Vec3> = body.positions.iter().map(|&p| camera.project(p)).collect();
     let painter = Painter { body, camera, paint, projected: &projected };
     let mut pieces = Vec::new();
@@ -95,50 +95,52 @@ impl Painter<'_> {
         }
     }
 
+    /// What triangle `f` shows at a place on the screen.
     fn piece(&self, pixel: u32, at: [f64; 2], f: usize, samples: u8) -> Option<Piece> {
-        let t = self.body.triangles[f];
-        let corners = t.map(|v| self.projected[v as usize]);
-        let edges = raster::edges(corners)?;
+        let corners = self.body.triangles[f].map(|v| self.projected[v as usize]);
         let nearness = corners.map(|corner| f64::from(corner.z));
-        let below = raster::combined(&edges, nearness);
-        let weights = [0, 1, 2].map(|i| (nearness[i] * edges[i].at(at) / below.at(at)) as f32);
+        let edges = raster::edges(corners)?;
+        let below = raster::combined(&edges, nearness).at(at);
+        let weights = [0, 1, 2].map(|i| (nearness[i] * edges[i].at(at) / below) as f32);
         let mix = |of: [Vec3; 3]| weights[0] * of[0] + weights[1] * of[1] + weights[2] * of[2];
 
-        let places = self.body.corners(f);
-        let position = mix(places);
-        let to_eye = self.camera.eye - position;
-        let face = (places[1] - places[0]).cross(places[2] - places[0]);
+        let position = mix(self.body.corners(f));
         // Corner normals lean to the side of the face; the viewer sees the other side where the face turns away.
-        let side = if face.dot(to_eye) < 0.0 { -1.0 } else { 1.0 };
+        let side = if self.body.face_normal(f).dot(self.camera.eye - position) < 0.0 { -1.0 } else { 1.0 };
         let normal = side * mix(self.body.normals[f]).normalize_or_zero();
-        let finished =
-            |colour, gloss| Some(Piece { pixel, samples, position, normal, colour, finish: Finish::Surface { gloss } });
-        if f >= self.body.balls_from {
-            return finished(srgb(BALL), 0.6);
-        }
-
-        let values = t.map(|v| self.paint.values[v as usize]);
-        let above = [0, 1, 2].map(|i| nearness[i] * f64::from(values[i]));
-        let above = raster::combined(&edges, above);
-        let [n, d] = [above.at(at), below.at(at)];
-        let gradient = [above.a * d - n * below.a, above.b * d - n * below.b].map(|part| part / (d * d));
-        let slope = (gradient[0] * gradient[0] + gradient[1] * gradient[1]).sqrt();
-        finished(self.colour((n / d) as f32, slope as f32), 0.05)
+        let (colour, gloss) = match f < self.body.balls_from {
+            true => (self.colour(f, &edges, at), 0.05),
+            false => (srgb(BALL), 0.6),
+        };
+        Some(Piece { pixel, samples, position, normal, colour, finish: Finish::Surface { gloss } })
     }
 
+    /// The colour of triangle `f` at a place on the screen.
+    fn colour(&self, f: usize, edges: &[Affine; 3], at: [f64; 2]) -> Vec3 {
+        let t = self.body.triangles[f];
+        let nearness = t.map(|v| f64::from(self.projected[v as usize].z));
+        let above = [0, 1, 2].map(|i| nearness[i] * f64::from(self.paint.values[t[i] as usize]));
+        let [above, below] = [above, nearness].map(|of| raster::combined(edges, of));
+        let [n, d] = [above.at(at), below.at(at)];
+        let [x, y] = [above.a * d - n * below.a, above.b * d - n * below.b];
+        self.paint.colour((n / d) as f32, ((x * x + y * y).sqrt() / (d * d)) as f32)
+    }
+}
+
+impl Paint<'_> {
     /// The colour of a value where it changes by `slope` a pixel.
     fn colour(&self, value: f32, slope: f32) -> Vec3 {
         if value.is_nan() {
             return srgb(NEUTRAL);
         }
-        let colour = self.paint.map.at(value);
-        let levels = self.paint.levels;
+        let colour = self.map.at(value);
+        let levels = self.levels;
         let next = levels.partition_point(|&level| level < value);
         let near = &levels[next.saturating_sub(1)..(next + 1).min(levels.len())];
         let off = near.iter().map(|level| (level - value).abs()).fold(f32::INFINITY, f32::min) / slope;
         let apart = if let [low, high] = near { (high - low) / slope } else { f32::INFINITY };
-        let cover = (0.5 * self.paint.line + 0.5 - off).clamp(0.0, 1.0);
-        let fade = ((apart - 2.0 * self.paint.line) / (4.0 * self.paint.line)).clamp(0.0, 1.0);
+        let cover = (0.5 * self.line + 0.5 - off).clamp(0.0, 1.0);
+        let fade = ((apart - 2.0 * self.line) / (4.0 * self.line)).clamp(0.0, 1.0);
         if cover > 0.0 { colour.lerp(0.16 * colour, cover * fade) } else { colour }
     }
 }
