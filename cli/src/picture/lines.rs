@@ -3,6 +3,7 @@
 use super::camera::Camera;
 use super::canvas::Canvas;
 use super::colour::srgb;
+use super::shade::BACKGROUND;
 use super::surface::{INK, Piece};
 use glam::{Vec2, Vec3};
 
@@ -19,7 +20,7 @@ impl Front {
         for piece in pieces {
             let way = piece.position - camera.eye;
             let depth = way.dot(camera.forward);
-            let cosine = piece.normal.dot(-way.normalize_or_zero()).max(0.15);
+            let cosine = piece.normal.dot(-way.normalize_or_zero()).max(0.25);
             let at = &mut depths[piece.pixel as usize];
             if depth < at[0] {
                 *at = [depth, camera.pixel(1.0 / depth) * (1.0 - cosine * cosine).max(0.0).sqrt() / cosine];
@@ -28,16 +29,24 @@ impl Front {
         Front { width, depths }
     }
 
-    /// Draws lines, `line` pixels wide; where several pieces meet, they cover a pixel only once.
+    /// Draws dark lines with light borders, which show on any colour; the dark part is `line` pixels wide.
     pub(super) fn draw(&self, canvas: &mut Canvas, camera: &Camera, lines: &[Vec<Vec3>], line: f32) {
+        for (colour, width) in [(BACKGROUND, 2.2 * line), (INK, line)] {
+            let cover = self.cover(camera, lines, width);
+            for (at, cover) in canvas.pixels.iter_mut().zip(cover) {
+                *at = at.lerp(srgb(colour), cover);
+            }
+        }
+    }
+
+    /// How much of each pixel the lines cover; where several segments meet, they cover it only once.
+    fn cover(&self, camera: &Camera, lines: &[Vec<Vec3>], line: f32) -> Vec<f32> {
         let mut cover = vec![0.0; self.depths.len()];
         for points in lines {
             let points: Vec<Vec3> = points.iter().map(|&point| camera.project(point)).collect();
             points.windows(2).for_each(|ends| self.segment([ends[0], ends[1]], 0.5 * line, &mut cover));
         }
-        for (at, cover) in canvas.pixels.iter_mut().zip(cover) {
-            *at = at.lerp(srgb(INK), cover);
-        }
+        cover
     }
 
     /// `ends` are on the screen: x, y, nearness.
