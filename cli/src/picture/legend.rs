@@ -50,9 +50,8 @@ impl Legend<'_> {
             label(canvas, self.range.low, &format!("{}", self.range.low));
         }
         if self.range.is_cut() {
-            let most =
-                format!("to {}", Range { low: 0.0, high: self.range.most, ..self.range }.label(self.range.most, 100.0));
-            text::write(canvas, &most, [bar[1] + em, top - 0.3 * em], em, grey);
+            let most = Range { high: self.range.most, ..self.range }.label(self.range.most, 100.0);
+            text::write(canvas, &format!("to {most}"), [bar[1] + em, top - 0.3 * em], em, grey);
         }
         if let Some(neutral) = self.neutral {
             let y = (bottom + 1.4 * em).round();

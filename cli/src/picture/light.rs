@@ -1,8 +1,8 @@
 //! Light: a bright sky with a large lamp in it, and the shadows of both.
 //!
 //! The sky is many small lights evenly over a half-sphere, the lamp a cluster of them. Each has a shadow map: the nearest
-//! depths as seen from it. What reaches a piece of surface is the sum over the lights of brightness · cos(angle) · visibility, so that
-//! corners are dark and shadows soft. O(lights · (triangles + pieces)).
+//! depths as seen from it. A piece of surface gets Σ brightness · cos(angle) · visibility over the lights, so that corners
+//! are dark and shadows soft. O(lights · (triangles + pieces)).
 
 use super::body::Body;
 use super::raster::{self, CENTRE, Window};
@@ -11,7 +11,7 @@ use glam::Vec3;
 
 const SKY: u32 = 32;
 const LAMP: u32 = 16;
-/// How much brighter the lamp is than the sky, in all.
+/// How much of all light is the lamp's.
 const LAMP_SHARE: f32 = 0.45;
 /// Sine of half the angle that the lamp fills.
 const LAMP_SIZE: f32 = 0.3;
@@ -91,15 +91,10 @@ fn scale(lights: &mut [Light], towards: Vec3, share: f32) {
 /// Number `i` of directions that wind around an axis by the golden angle, at a given height along it.
 fn on_spiral(axis: Vec3, height: f32, i: u32) -> Vec3 {
     const GOLDEN_ANGLE: f32 = 2.399_963_2;
-    let [side, other] = across(axis);
+    let (side, other) = axis.any_orthonormal_pair();
     let (sine, cosine) = (i as f32 * GOLDEN_ANGLE).sin_cos();
     let radius = (1.0 - height * height).max(0.0).sqrt();
     radius * (cosine * side + sine * other) + height * axis
-}
-
-fn across(axis: Vec3) -> [Vec3; 2] {
-    let (side, other) = axis.any_orthonormal_pair();
-    [side, other]
 }
 
 /// Nearness to a light, on a square across its direction.
@@ -121,7 +116,7 @@ impl ShadowMap {
     }
 
     fn draw(&mut self, body: &Body, direction: Vec3) {
-        let [x, y] = across(direction);
+        let (x, y) = direction.any_orthonormal_pair();
         self.axes = [x, y, direction];
         self.nearness.fill(f32::NEG_INFINITY);
         let projected: Vec<Vec3> = body.positions.iter().map(|&p| self.project(p)).collect();
