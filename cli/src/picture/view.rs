@@ -97,18 +97,29 @@ impl Axes {
         for (elevation, azimuth) in candidates {
             let level = azimuth.cos() * self.front + azimuth.sin() * self.right;
             let from = elevation.cos() * level + elevation.sin() * self.up;
-            let score = self.score(body, values, sources, from) + 0.06 * azimuth.cos();
+            // Of equals the one nearer to the front.
+            let score = Trial::new(body, from, self.up).score(values, sources) + 0.06 * azimuth.cos();
             if score > best.0 {
                 best = (score, from);
             }
         }
         [best.1, self.up]
     }
+}
 
-    /// How much there is to see from a direction.
-    fn score(&self, body: &Body, values: &[f32], sources: &[Vec3], from: Vec3) -> f32 {
+/// A small picture, which tells how much there is to see from a direction.
+struct Trial<'a> {
+    body: &'a Body,
+    camera: Camera,
+    from: Vec3,
+    /// Nearness and triangle of each pixel.
+    front: Vec<(f32, usize)>,
+}
+
+impl Trial<'_> {
+    fn new(body: &Body, from: Vec3, up: Vec3) -> Trial<'_> {
         let side = TRIAL as f32;
-        let camera = Camera::new(body, from, self.up, Frame { left: 0.0, top: 0.0, width: side, height: side });
+        let camera = Camera::new(body, from, up, Frame { left: 0.0, top: 0.0, width: side, height: side });
         let projected: Vec<Vec3> = body.positions.iter().map(|&p| camera.project(p)).collect();
         let mut front = vec![(0.0, NOTHING); (TRIAL * TRIAL) as usize];
         let window = Window { width: TRIAL, rows: [0, TRIAL] };
@@ -120,29 +131,41 @@ impl Axes {
                 }
             });
         }
-        let mut area = 0.0;
+        Trial { body, camera, from, front }
+    }
+
+    fn score(&self, values: &[f32], sources: &[Vec3]) -> f32 {
+        let seen = sources.iter().map(|&source| self.seen(source)).sum::<f32>() / sources.len().max(1) as f32;
+        0.2 * self.area() + self.range(values) + seen
+    }
+
+    /// How much of the view the surface covers, where the largest extent of the mesh is 2.
+    fn area(&self) -> f32 {
+        let covered = self.front.iter().filter(|at| at.1 != NOTHING);
+        covered.map(|&(nearness, _)| self.camera.pixel(nearness).powi(2)).sum()
+    }
+
+    /// How much of the values' range can be seen.
+    fn range(&self, values: &[f32]) -> f32 {
         let mut bins = [0; BINS];
-        for &(nearness, f) in front.iter().filter(|at| at.1 != NOTHING) {
-            area += camera.pixel(nearness).powi(2);
-            let value = values[body.triangles[f][0] as usize];
+        for &(_, f) in self.front.iter().filter(|at| at.1 != NOTHING) {
+            let value = values[self.body.triangles[f][0] as usize];
             if !value.is_nan() {
                 bins[((value * BINS as f32) as usize).min(BINS - 1)] += 1;
             }
         }
-        // A source counts where nothing is in front of it, most where the surface around it faces the viewer.
-        let seen = |source: &Vec3| {
-            let spot = camera.project(*source);
-            let [x, y] = [(spot.x as u32).min(TRIAL - 1), (spot.y as u32).min(TRIAL - 1)];
-            let (nearness, f) = front[(y * TRIAL + x) as usize];
-            match f {
-                NOTHING => 0.3,
-                _ if 1.0 / spot.z - 1.0 / nearness > 0.04 => 0.0,
-                _ => 0.3 + 0.7 * body.face_normal(f).dot(from).abs(),
-            }
-        };
-        let seen = sources.iter().map(seen).sum::<f32>() / sources.len().max(1) as f32;
-        let range = bins.iter().filter(|&&count| count > 2).count() as f32 / BINS as f32;
-        0.2 * area + range + seen
+        bins.iter().filter(|&&count| count > 2).count() as f32 / BINS as f32
+    }
+
+    /// Whether nothing is in front of a source; most where the surface around it faces the viewer.
+    fn seen(&self, source: Vec3) -> f32 {
+        let spot = self.camera.project(source);
+        let [x, y] = [spot.x, spot.y].map(|at| (at as u32).min(TRIAL - 1)); // the cast saturates
+        match self.front[(y * TRIAL + x) as usize] {
+            (_, NOTHING) => 0.3,
+            (nearness, _) if 1.0 / spot.z - 1.0 / nearness > 0.04 => 0.0,
+            (_, f) => 0.3 + 0.7 * self.body.face_normal(f).dot(self.from).abs(),
+        }
     }
 }
 
