@@ -88,3 +88,31 @@ const TO_LAB: Mat3 = Mat3::from_cols(
     Vec3::new(1.977_998_5, -2.428_592_2, 0.450_593_7),
     Vec3::new(0.025_904_037, 0.782_771_77, -0.808_675_77),
 );
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_survive_linear_light() {
+        let encoder = Encoder::new();
+        for c in 0..=255u8 {
+            let [r, g, b] = [c, 255 - c, c / 2];
+            let hex = u32::from(r) << 16 | u32::from(g) << 8 | u32::from(b);
+            assert_eq!(encoder.bytes(srgb(hex)), [r, g, b]);
+        }
+        assert_eq!(encoder.bytes(Vec3::new(-1.0, 2.0, f32::INFINITY)), [0, 255, 255]);
+    }
+
+    #[test]
+    fn a_map_passes_its_stops_at_even_speed() {
+        let map = ColourMap::through(&[0xff_f1_d6, 0xf8_8a_68, 0x3b_32_80]);
+        let encoder = Encoder::new();
+        let ends = [-1.0, 0.0, 1.0, 2.0].map(|t| encoder.bytes(map.at(t)));
+        assert_eq!(ends, [[0xff, 0xf1, 0xd6], [0xff, 0xf1, 0xd6], [0x3b, 0x32, 0x80], [0x3b, 0x32, 0x80]]);
+        let steps: Vec<f32> = map.0.windows(2).map(|pair| oklab(pair[0]).distance(oklab(pair[1]))).collect();
+        let mean = steps.iter().sum::<f32>() / steps.len() as f32;
+        // One step turns at the middle stop.
+        assert!(steps.iter().filter(|&&step| (step / mean - 1.0).abs() > 0.02).count() <= 1);
+    }
+}

@@ -105,3 +105,48 @@ fn touched(c: [f32; 3], pattern: &Pattern, limits: [u32; 2]) -> [i32; 2] {
     let first = low as i32 + i32::from(low > (low as i32) as f32);
     [first.max(limits[0] as i32), (high as i32).min(limits[1] as i32 - 1)]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// How often each sample of a screen of 40 × 40 pixels is covered by triangles of these corners.
+    fn covers(points: &[[f32; 2]], triangles: &[[usize; 3]]) -> Vec<u32> {
+        let mut counts = vec![0; 40 * 40 * 8];
+        for t in triangles {
+            let corners = t.map(|v| Vec3::new(points[v][0], points[v][1], 1.0));
+            scan(corners, Window { width: 40, rows: [0, 40] }, &EIGHT, |x, y, sample, nearness| {
+                assert!((nearness - 1.0).abs() < 1e-6);
+                counts[((y * 40 + x) * 8) as usize + sample] += 1;
+            });
+        }
+        counts
+    }
+
+    #[test]
+    fn triangles_that_share_edges_leave_no_gap() {
+        // A fan around an odd place fills the screen; the outer corners lie beyond it.
+        let points: Vec<[f32; 2]> = (0..37)
+            .map(|i| (i as f32 * 0.169_816).sin_cos())
+            .map(|(s, c)| [20.3 + 90.0 * c, 19.7 + 90.0 * s])
+            .collect();
+        let points = [&[[17.123_457, 23.987_654]], &points[..]].concat();
+        let fan: Vec<[usize; 3]> = (1..=37).map(|i| [0, i, i % 37 + 1]).collect();
+        let counts = covers(&points, &fan);
+        let twice = counts.iter().filter(|&&count| count > 1).count();
+        assert!(counts.iter().all(|&count| count > 0) && twice < 40, "{twice}");
+    }
+
+    #[test]
+    fn only_what_is_inside_is_covered() {
+        let counts = covers(&[[10.0, 10.0], [30.0, 10.0], [30.0, 20.0], [10.0, 20.0]], &[[0, 1, 2], [2, 0, 3]]);
+        let covered = counts.iter().filter(|&&count| count > 0).count();
+        assert_eq!(covered, 20 * 10 * 8);
+        // Degenerate, off the screen, and nowhere.
+        for points in
+            [[[5.0, 5.0], [9.0, 9.0], [7.0, 7.0]], [[-9.0, 5.0], [-3.0, 9.0], [-8.0, 1.0]], [[f32::NAN; 2]; 3]]
+        {
+            assert!(covers(&points, &[[0, 1, 2]]).iter().all(|&count| count == 0), "{points:?}");
+        }
+    }
+}
