@@ -49,7 +49,7 @@ impl Lights {
 
     /// What reaches a piece of this normal where nothing is in the way.
     pub(super) fn open(&self, normal: Vec3, samples: u8) -> f32 {
-        let shining = self.0.iter().enumerate().filter(|(i, _)| samples >> (i % 8) & 1 == 1);
+        let shining = self.0.iter().enumerate().filter(|(i, _)| sees(samples, *i));
         let sum: f32 = shining.map(|(_, light)| light.brightness * normal.dot(light.direction).max(0.0)).sum();
         sum * share(samples)
     }
@@ -57,24 +57,24 @@ impl Lights {
     /// What reaches each piece. Of each eight lights one shines on each sample, so that a pixel sees them all.
     pub(super) fn reaching(&self, body: &Body, pieces: &[Piece]) -> Vec<f32> {
         let mut sums = vec![0.0; pieces.len()];
-        let mut maps: [ShadowMap; 8] = std::array::from_fn(|_| ShadowMap::new());
-        for lights in self.0.chunks(8) {
-            for (map, light) in maps.iter_mut().zip(lights) {
-                map.draw(body, light.direction);
-            }
-            for (sum, piece) in sums.iter_mut().zip(pieces) {
-                let shining = (0..8).zip(lights).filter(|(sample, _)| piece.samples >> sample & 1 == 1);
-                for (sample, light) in shining {
-                    let cosine = piece.normal.dot(light.direction);
-                    if cosine > 0.0 {
-                        *sum += light.brightness * cosine * maps[sample].visibility(piece, cosine);
-                    }
+        let mut map = ShadowMap::new();
+        for (i, light) in self.0.iter().enumerate() {
+            map.draw(body, light.direction);
+            for (sum, piece) in sums.iter_mut().zip(pieces).filter(|(_, piece)| sees(piece.samples, i)) {
+                let cosine = piece.normal.dot(light.direction);
+                if cosine > 0.0 {
+                    *sum += light.brightness * cosine * map.visibility(piece, cosine);
                 }
             }
         }
         sums.iter_mut().zip(pieces).for_each(|(sum, piece)| *sum *= share(piece.samples));
         sums
     }
+}
+
+/// Whether light `i` shines on one of the samples.
+fn sees(samples: u8, i: usize) -> bool {
+    samples >> (i % 8) & 1 == 1
 }
 
 /// What the light on some samples counts, so that it stands for all eight.
