@@ -50,6 +50,11 @@ fn first_largest(values: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f
     values.reduce(|largest, value| if value.1 > largest.1 { value } else { largest })
 }
 
+/// The error of each vertex in percent; none, so NaN, where neither reaches it.
+pub(crate) fn percents(distances: &[f64], reference: &[f64]) -> Vec<f64> {
+    distances.iter().zip(reference).map(|(&phi, &exact)| 100.0 * error(phi, exact).unwrap_or(f64::NAN)).collect()
+}
+
 /// The relative error of one vertex; `None` where neither reaches it.
 fn error(phi: f64, exact: f64) -> Option<f64> {
     match (phi.is_finite(), exact.is_finite()) {

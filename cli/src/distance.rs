@@ -1,15 +1,16 @@
 //! `taut distance`: reads, computes, and only then writes, so that a failure leaves nothing behind.
 
 use crate::args::FieldArgs;
-use crate::comparison::Errors;
+use crate::comparison::{self, Errors};
 use crate::field::Field;
 use crate::measured::Seconds;
 use crate::mesh_out::MeshOut;
-use crate::output::{self, Report, Timing};
+use crate::output::{self, Output, Report, Timing};
+use crate::picture::{Picture, PictureArgs, Quantity};
 use crate::{Result, input};
 use clap::Args;
-use std::path::{Path, PathBuf};
-use taut::{Element, Error, Mesh, Reason};
+use std::path::PathBuf;
+use taut::{Element, Error, Mesh, Reason, Source};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -21,6 +22,8 @@ Examples:
       how far the heat method is from them, and how long it took
   taut distance bunny.obj --source 0 -o distances.txt --mesh-out distances.ply
       the mesh with colours, for MeshLab or Blender
+  taut distance bunny.obj --source 0 -o distances.txt --picture bunny.png
+      a picture of them
   taut distance bunny.obj --source 0 --method exact --target 4711
       the distance of one vertex
 
@@ -60,6 +63,9 @@ pub(crate) struct DistanceArgs {
     /// work, and with --reference the errors; distances are then written to --output only
     #[arg(verbatim_doc_comment, long)]
     json: bool,
+
+    #[command(flatten)]
+    picture: PictureArgs,
 }
 
 pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
@@ -68,13 +74,24 @@ pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
     args.target.map_or(Ok(()), |target| check_target(target, &mesh))?;
     let reference = args.reference.as_deref().map(|path| input::distances(path, &mesh)).transpose()?;
 
-    // Errors, the JSON object and the mesh are about every vertex.
-    let is_all_wanted = args.json || args.reference.is_some() || args.mesh_out.is_some();
+    // Errors, the JSON object, the mesh and the picture are about every vertex.
+    let is_all_wanted =
+        args.json || args.reference.is_some() || args.mesh_out.is_some() || args.picture.picture.is_some();
     let targets = args.target.filter(|_| !is_all_wanted).into_iter().collect();
     let field = Field::compute(&args.field, &mesh, &sources, targets).map_err(|error| error.to_string())?;
 
+    let picture = draw(args, &mesh, &sources, &field.distances, reference.as_deref())?;
     let errors = reference.map(|reference| Errors::new(&field.distances, &reference));
-    write(args, &mesh, &field.distances)?;
+    let text = match args.target {
+        Some(target) => output::lines(&[field.distances[target as usize]]),
+        None => output::lines(&field.distances),
+    };
+    let mesh_out = args.mesh_out.as_ref().map(|out| (&*out.path, out.content(&mesh, &field.distances)));
+    let distances = args.output.as_deref().map(|path| (path, text.clone().into_bytes()));
+    output::write(&distances.into_iter().chain(mesh_out).chain(picture).collect::<Vec<_>>())?;
+    if args.output.is_none() && !args.json {
+        output::print(&text)?;
+    }
     if args.json {
         return output::json(&report(&mesh, &field, read, errors));
     }
@@ -95,17 +112,22 @@ fn check_target(target: u32, mesh: &Mesh) -> Result<()> {
     Err(Error::at(Reason::VertexOutOfRange, Element::Target(0), message).to_string())
 }
 
-/// Writes all distances or the target's to the file or, unless JSON goes there, to standard output; and the mesh.
-fn write(args: &DistanceArgs, mesh: &Mesh, distances: &[f64]) -> Result<()> {
-    let text = match args.target {
-        Some(target) => output::lines(&[distances[target as usize]]),
-        None => output::lines(distances),
+/// The picture of the distances or, with a reference, of their errors.
+fn draw<'a>(
+    args: &'a DistanceArgs,
+    mesh: &Mesh,
+    sources: &[Source],
+    distances: &[f64],
+    reference: Option<&[f64]>,
+) -> Result<Option<Output<'a>>> {
+    let sources: Vec<[f64; 3]> =
+        sources.iter().map(|source| mesh.positions()[source.vertex_index() as usize]).collect();
+    let errors = reference.map(|reference| comparison::percents(distances, reference));
+    let (quantity, values) = match &errors {
+        Some(errors) => (Quantity::Error, &errors[..]),
+        None => (Quantity::Distance, distances),
     };
-    let mesh = args.mesh_out.as_ref().map(|out| (&*out.path, out.content(mesh, distances)));
-    let mut files: Vec<(&Path, &[u8])> = mesh.iter().map(|(path, content)| (*path, &content[..])).collect();
-    files.extend(args.output.as_deref().map(|path| (path, text.as_bytes())));
-    output::write(&files)?;
-    if args.output.is_some() || args.json { Ok(()) } else { output::print(&text) }
+    args.picture.draw(&Picture { mesh, quantity, values, sources: &sources, levels: None, lines: &[] })
 }
 
 fn report(mesh: &Mesh, field: &Field, read: Seconds, error: Option<Errors>) -> Report {

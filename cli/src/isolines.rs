@@ -161,7 +161,7 @@ pub(crate) fn run(args: &IsolinesArgs) -> Result<()> {
         Format::Obj => drawing::obj(&found),
         Format::Svg => drawing::svg(&found, args.view),
     };
-    output::write(&[(&args.output.path, text.as_bytes())])?;
+    output::write(&[(&args.output.path, text.into_bytes())])?;
     if !args.json {
         return Ok(());
     }

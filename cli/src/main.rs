@@ -15,6 +15,7 @@ mod measured;
 mod mesh_out;
 mod numbers;
 mod output;
+mod picture;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;

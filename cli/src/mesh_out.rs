@@ -4,7 +4,7 @@
 //! input is its fan. Positions are written in full, so that [`taut::Mesh::read`] has the same mesh back bit for bit.
 //!
 //! - PLY, binary little endian: the distance is the property `quality`, which MeshLab takes for its vertex quality and
-//!   Blender for an attribute; `red`, `green` and `blue` are its colour by viridis, from the least to the largest, and grey
+//!   Blender for an attribute; `red`, `green` and `blue` are its colour in pictures, from the least to the largest, and grey
 //!   where no source reaches. There `quality` is inf, which MeshLab leaves out of its statistics and Blender 4.2 reads as
 //!   0; only the colour tells.
 //! - OBJ: the texture coordinates `vt u 0` have u from 0 at the least distance to 1 at the largest, so that an image of
@@ -14,8 +14,8 @@
 //!
 //! O(V + F).
 
+use crate::picture::{Encoder, Quantity};
 use clap::builder::{PathBufValueParser, TypedValueParser};
-use colorgrad::Gradient;
 use std::io::Write;
 use std::path::PathBuf;
 use taut::Mesh;
@@ -101,16 +101,13 @@ fn write_ply(out: &mut Vec<u8>, mesh: &Mesh, range: &Range, distances: &[f64]) -
     Ok(())
 }
 
-/// Viridis, which is even to the eye and in grey too; grey for `None`.
+/// The colours of pictures; grey for `None`.
 fn colours(parts: impl Iterator<Item = Option<f64>>) -> impl Iterator<Item = [u8; 3]> {
     const GREY: [u8; 3] = [128; 3];
-    let map = colorgrad::preset::viridis();
-    parts.map(move |part| {
-        part.map_or(GREY, |part| {
-            let [red, green, blue, _] = map.at(part as f32).to_rgba8();
-            [red, green, blue]
-        })
-    })
+    let map = Quantity::Distance.map();
+    let encoder = Encoder::new();
+    // The cast rounds; the map has a thousand steps.
+    parts.map(move |part| part.map_or(GREY, |part| encoder.bytes(map.at(part as f32))))
 }
 
 fn write_obj(out: &mut Vec<u8>, mesh: &Mesh, range: &Range, distances: &[f64]) -> std::io::Result<()> {

@@ -55,10 +55,13 @@ pub(crate) fn print(text: &str) -> Result<()> {
     }
 }
 
+/// A file to write.
+pub(crate) type Output<'a> = (&'a Path, Vec<u8>);
+
 /// Writes files, all or none: where one cannot be written, those that were begun are removed.
-pub(crate) fn write(files: &[(&Path, &[u8])]) -> Result<()> {
+pub(crate) fn write(files: &[Output]) -> Result<()> {
     let mut begun = Vec::new();
-    for &(path, content) in files {
+    for (path, content) in files {
         let file = File::create(path).inspect(|_| begun.push(path));
         if let Err(error) = file.and_then(|mut file| file.write_all(content)) {
             for path in begun.into_iter().filter(|path| path.is_file()) {

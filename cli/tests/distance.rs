@@ -220,6 +220,9 @@ fn help_names_every_option() {
         "--reference",
         "--output",
         "--json",
+        "--picture",
+        "--view",
+        "--size",
         "Examples:",
     ] {
         assert!(help.contains(option), "{option}");

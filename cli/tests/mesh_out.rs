@@ -43,15 +43,15 @@ fn qualities(path: &Path) -> Vec<(f64, [u8; 3])> {
 }
 
 #[test]
-fn ply_has_distances_as_quality_and_colours_by_viridis() {
+fn ply_has_distances_as_quality_and_the_colours_of_pictures() {
     let desk = written("--mesh-out out.ply");
     let rows = qualities(&desk.path("out.ply"));
     let far = 1e10_f64;
     for (v, (distance, colour)) in rows.iter().enumerate() {
         match v {
-            1 => assert_eq!((*distance, *colour), (0.0, [68, 1, 84])),
-            2 => assert!((distance - far).abs() < 1.0 && *colour == [254, 232, 37], "{distance} {colour:?}"),
-            3 => assert!((1.0..1.1).contains(distance) && *colour == [68, 1, 84], "{distance} {colour:?}"),
+            1 => assert_eq!((*distance, *colour), (0.0, [0xff, 0xf1, 0xd6])),
+            2 => assert!((distance - far).abs() < 1.0 && *colour == [0x3b, 0x32, 0x80], "{distance} {colour:?}"),
+            3 => assert!((1.0..1.1).contains(distance) && *colour == [0xff, 0xf1, 0xd6], "{distance} {colour:?}"),
             _ => assert_eq!((*distance, *colour), (f64::INFINITY, [128; 3]), "vertex {v}"),
         }
     }
@@ -94,7 +94,7 @@ fn a_field_without_extent_has_one_colour() {
     let desk = Desk::new();
     desk.write("point.obj", "v 0 0 0\n");
     desk.prints("distance point.obj --source 0 --method exact --mesh-out out.ply");
-    assert_eq!(qualities(&desk.path("out.ply")), [(0.0, [68, 1, 84])]);
+    assert_eq!(qualities(&desk.path("out.ply")), [(0.0, [0xff, 0xf1, 0xd6])]);
 }
 
 #[test]

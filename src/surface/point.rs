@@ -94,7 +94,8 @@ impl Source {
     }
 
     /// The vertex.
-    pub(crate) fn vertex_index(self) -> u32 {
+    #[must_use]
+    pub fn vertex_index(self) -> u32 {
         self.vertex
     }
 
