@@ -1,7 +1,8 @@
 //! `taut compare`: how far the distances of one file are from those of another.
 
 use crate::comparison::Errors;
-use crate::{Result, numbers, output};
+use crate::numbers::{self, DISTANCE};
+use crate::{Result, output};
 use clap::Args;
 use serde::Serialize;
 use std::fmt;
@@ -35,7 +36,7 @@ pub(crate) struct CompareArgs {
 }
 
 pub(crate) fn run(args: &CompareArgs) -> Result<()> {
-    let (a, b) = (numbers::distances(&args.a)?, numbers::distances(&args.b)?);
+    let (a, b) = (numbers::numbers(&args.a, DISTANCE)?, numbers::numbers(&args.b, DISTANCE)?);
     if a.len() != b.len() {
         let [path_a, path_b] = [args.a.display(), args.b.display()];
         return Err(format!("{path_a}: has {} distances, but {path_b} has {}", a.len(), b.len()));

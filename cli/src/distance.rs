@@ -5,10 +5,12 @@ use crate::comparison::{self, Errors};
 use crate::field::Field;
 use crate::measured::Seconds;
 use crate::mesh_out::MeshOut;
+use crate::numbers::DISTANCE;
 use crate::output::{self, Output, Report, Timing};
 use crate::picture::{Picture, PictureArgs, Quantity};
-use crate::{Result, input};
-use clap::Args;
+use crate::{Cli, Result, input};
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory};
 use std::path::PathBuf;
 use taut::{Element, Error, Mesh, Reason, Source};
 
@@ -38,7 +40,7 @@ Exit code: 0 success, 1 failure, 2 a command line that makes no sense.";
 #[command(after_help = EXAMPLES, verbatim_doc_comment)]
 pub(crate) struct DistanceArgs {
     #[command(flatten)]
-    pub(crate) field: FieldArgs,
+    field: FieldArgs,
 
     /// Write only the distance of this vertex; the exact method stops as soon as it knows it
     #[arg(long, value_name = "V")]
@@ -68,11 +70,24 @@ pub(crate) struct DistanceArgs {
     picture: PictureArgs,
 }
 
+impl DistanceArgs {
+    /// Refuses what clap cannot see by itself.
+    pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
+        match self.picture.useless() {
+            Some(option) => {
+                let message = format!("{option} belongs to a picture and means nothing without --picture");
+                Err(Cli::command().error(ErrorKind::ArgumentConflict, message))
+            }
+            None => self.field.check(),
+        }
+    }
+}
+
 pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
     let sources = input::sources(&args.field)?;
     let (mesh, read) = input::mesh(&args.field.mesh)?;
     args.target.map_or(Ok(()), |target| check_target(target, &mesh))?;
-    let reference = args.reference.as_deref().map(|path| input::distances(path, &mesh)).transpose()?;
+    let reference = args.reference.as_deref().map(|path| input::numbers(path, DISTANCE, &mesh)).transpose()?;
 
     // Errors, the JSON object, the mesh and the picture are about every vertex.
     let is_all_wanted =
@@ -120,8 +135,7 @@ fn draw<'a>(
     distances: &[f64],
     reference: Option<&[f64]>,
 ) -> Result<Option<Output<'a>>> {
-    let sources: Vec<[f64; 3]> =
-        sources.iter().map(|source| mesh.positions()[source.vertex_index() as usize]).collect();
+    let sources = input::places(sources, mesh);
     let errors = reference.map(|reference| comparison::percents(distances, reference));
     let (quantity, values) = match &errors {
         Some(errors) => (Quantity::Error, &errors[..]),

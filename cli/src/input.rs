@@ -31,12 +31,17 @@ pub(crate) fn sources(args: &FieldArgs) -> Result<Vec<Source>> {
     }
 }
 
-/// The distances of a file that must have one for each vertex of the mesh.
-pub(crate) fn distances(path: &Path, mesh: &Mesh) -> Result<Vec<f64>> {
-    let distances = numbers::distances(path)?;
-    let [given, needed] = [distances.len(), mesh.vertex_count()];
+/// Where the sources lie; they have been found to be vertices of the mesh.
+pub(crate) fn places(sources: &[Source], mesh: &Mesh) -> Vec<[f64; 3]> {
+    sources.iter().map(|source| mesh.positions()[source.vertex_index() as usize]).collect()
+}
+
+/// The numbers of a file that must have one for each vertex of the mesh; `what` each is called in messages.
+pub(crate) fn numbers(path: &Path, what: &str, mesh: &Mesh) -> Result<Vec<f64>> {
+    let numbers = numbers::numbers(path, what)?;
+    let [given, needed] = [numbers.len(), mesh.vertex_count()];
     if given == needed {
-        return Ok(distances);
+        return Ok(numbers);
     }
-    Err(format!("{}: has {given} distances, but the mesh has {needed} vertices", path.display()))
+    Err(format!("{}: has {given} numbers, but the mesh has {needed} vertices", path.display()))
 }

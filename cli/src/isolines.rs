@@ -1,10 +1,11 @@
 //! `taut isolines`: lines of equal distance, or of equal value of any field, into a file.
 
 use crate::args::FieldArgs;
-use crate::drawing::{self, Axis};
+use crate::drawing;
 use crate::field::Field;
 use crate::measured::{Seconds, measured};
 use crate::output::{self, Timing};
+use crate::picture::{Picture, PictureArgs, Quantity};
 use crate::{Cli, Result, input};
 use clap::builder::{PathBufValueParser, TypedValueParser as _};
 use clap::error::ErrorKind;
@@ -15,8 +16,10 @@ use taut::{Isoline, Mesh};
 
 const EXAMPLES: &str = "\
 Examples:
+  taut isolines bunny.obj --source 0 --count 20 --picture lines.png
+      twenty lines of equal distance from vertex 0 on the surface, as a picture
   taut isolines bunny.obj --source 0 --count 20 -o lines.svg
-      twenty lines of equal distance from vertex 0, as a drawing
+      the lines alone, as a drawing
   taut isolines bunny.obj --source 0 --method exact --spacing 0.01 -o lines.obj
       a line at every hundredth of a unit of exact distance, as polylines in space
   taut isolines bunny.obj --values heights.txt --count 9 -o lines.obj
@@ -32,6 +35,7 @@ Exit code: 0 success, 1 failure, 2 a command line that makes no sense.";
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, verbatim_doc_comment)]
 #[command(group = ArgGroup::new("levels").required(true).args(["count", "spacing"]))]
+#[command(group = ArgGroup::new("written").required(true).multiple(true).args(["output", "picture"]))]
 pub(crate) struct IsolinesArgs {
     #[command(flatten)]
     field: FieldArgs,
@@ -49,23 +53,28 @@ pub(crate) struct IsolinesArgs {
     #[arg(long, value_name = "D", allow_negative_numbers = true)]
     spacing: Option<f64>,
 
-    /// Write the lines to this file: .obj, polylines in space, or .svg, a flat drawing
-    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(Output::new))]
-    output: Output,
-
-    /// Axis along which an .svg looks at the mesh, from its positive end; what is behind shows
-    /// through [default: that of the shortest side of the lines' bounding box]
-    #[arg(verbatim_doc_comment, long, value_enum)]
-    view: Option<Axis>,
+    /// Write the lines to this file: .obj, polylines in space, or .svg, a flat drawing without
+    /// what the surface hides
+    #[arg(
+        verbatim_doc_comment,
+        short,
+        long,
+        value_name = "FILE",
+        value_parser = PathBufValueParser::new().try_map(LinesOut::new)
+    )]
+    output: Option<LinesOut>,
 
     /// Print one JSON object on standard output: counts, levels, seconds of work
     #[arg(long)]
     json: bool,
+
+    #[command(flatten)]
+    picture: PictureArgs,
 }
 
 /// A file to write, and what its name says that it is.
 #[derive(Debug, Clone)]
-struct Output {
+struct LinesOut {
     path: PathBuf,
     format: Format,
 }
@@ -76,15 +85,15 @@ enum Format {
     Svg,
 }
 
-impl Output {
-    fn new(path: PathBuf) -> std::result::Result<Output, &'static str> {
+impl LinesOut {
+    fn new(path: PathBuf) -> std::result::Result<LinesOut, &'static str> {
         let suffix = path.extension().unwrap_or_default().to_ascii_lowercase();
         let format = match suffix.to_str() {
             Some("obj") => Format::Obj,
             Some("svg") => Format::Svg,
             _ => return Err("the name must end in .obj or .svg"),
         };
-        Ok(Output { path, format })
+        Ok(LinesOut { path, format })
     }
 }
 
@@ -92,8 +101,9 @@ impl IsolinesArgs {
     /// Refuses what clap cannot see by itself.
     pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
         let conflict = |message: &str| Err(Cli::command().error(ErrorKind::ArgumentConflict, message));
-        if self.output.format == Format::Obj && self.view.is_some() {
-            return conflict("--view belongs to a drawing and means nothing with an .obj file");
+        let is_drawn = self.output.as_ref().is_some_and(|output| output.format == Format::Svg);
+        if let (false, Some(option)) = (is_drawn, self.picture.useless()) {
+            return conflict(&format!("{option} belongs to a drawing or picture, and none is asked for"));
         }
         match (&self.values, self.field.heat.first_given()) {
             (None, _) => self.field.check(),
@@ -122,6 +132,14 @@ pub(crate) struct Polyline {
     pub(crate) is_closed: bool,
 }
 
+impl Polyline {
+    /// Its points, the first again at the end of a closed one.
+    pub(crate) fn path(&self) -> impl Iterator<Item = [f64; 3]> {
+        let back = self.is_closed.then(|| self.points[0]);
+        self.points.iter().copied().chain(back)
+    }
+}
+
 impl Lines {
     /// The lines of a field at the levels that the options ask for.
     fn new(args: &IsolinesArgs, mesh: &Mesh, values: &[f64]) -> taut::Result<Lines> {
@@ -148,20 +166,27 @@ impl Lines {
 pub(crate) fn run(args: &IsolinesArgs) -> Result<()> {
     let sources = input::sources(&args.field)?;
     let (mesh, read) = input::mesh(&args.field.mesh)?;
-    let (values, [setup, solve]) = match &args.values {
-        Some(path) => (input::distances(path, &mesh)?, <[Seconds; 2]>::default()),
+    let (quantity, values, [setup, solve]) = match &args.values {
+        Some(path) => (Quantity::Value, input::numbers(path, "a value", &mesh)?, <[Seconds; 2]>::default()),
         None => {
             let field = Field::compute(&args.field, &mesh, &sources, Vec::new()).map_err(|error| error.to_string())?;
-            (field.distances, [field.setup, field.solve])
+            (Quantity::Distance, field.distances, [field.setup, field.solve])
         }
     };
     let (found, seconds) = measured("lines", |_| Lines::new(args, &mesh, &values));
     let found = found.map_err(|error| error.to_string())?;
-    let text = match args.output.format {
-        Format::Obj => drawing::obj(&found),
-        Format::Svg => drawing::svg(&found, args.view),
-    };
-    output::write(&[(&args.output.path, text.into_bytes())])?;
+    write(
+        args,
+        &found,
+        &Picture {
+            mesh: &mesh,
+            quantity,
+            values: &values,
+            sources: &input::places(&sources, &mesh),
+            levels: Some(&found.levels),
+            lines: &[],
+        },
+    )?;
     if !args.json {
         return Ok(());
     }
@@ -174,6 +199,15 @@ pub(crate) fn run(args: &IsolinesArgs) -> Result<()> {
         points: found.polylines.iter().map(|line| line.points.len()).sum(),
         timing: LinesTiming { field: Timing { read, setup, solve }, lines: seconds },
     })
+}
+
+fn write(args: &IsolinesArgs, lines: &Lines, picture: &Picture) -> Result<()> {
+    let content = |format| match format {
+        Format::Obj => drawing::obj(lines),
+        Format::Svg => drawing::svg(lines, picture, &args.picture),
+    };
+    let lines = args.output.as_ref().map(|LinesOut { path, format }| (&**path, content(*format).into_bytes()));
+    output::write(&lines.into_iter().chain(args.picture.draw(picture)?).collect::<Vec<_>>())
 }
 
 /// The object of `--json`, key by key.

@@ -44,7 +44,7 @@ impl Command {
     fn check(&self) -> std::result::Result<(), clap::Error> {
         match self {
             Command::Compare(_) => Ok(()),
-            Command::Distance(args) => args.field.check(),
+            Command::Distance(args) => args.check(),
             Command::Info(_) => Ok(()),
             Command::Isolines(args) => args.check(),
         }

@@ -14,10 +14,13 @@ pub(crate) fn sources(path: &Path) -> Result<Vec<Source>> {
     })
 }
 
-/// The distances of a file, as this command writes them.
-pub(crate) fn distances(path: &Path) -> Result<Vec<f64>> {
-    entries(path, "a distance", |words| match words {
-        [distance] => number(distance).filter(|distance: &f64| !distance.is_nan()),
+/// What the numbers are that this command writes.
+pub(crate) const DISTANCE: &str = "a distance";
+
+/// The numbers of a file, one a line; `what` each is called in messages.
+pub(crate) fn numbers(path: &Path, what: &str) -> Result<Vec<f64>> {
+    entries(path, what, |words| match words {
+        [word] => number(word).filter(|number: &f64| !number.is_nan()),
         _ => None,
     })
 }

@@ -144,7 +144,7 @@ fn a_reference_that_does_not_fit_is_refused() {
     let desk = Desk::with_grid();
     desk.write("short.txt", "0\n1\n");
     let said = desk.says(1, "distance grid.obj --source 0 --reference short.txt");
-    assert_eq!(said, "taut: error: short.txt: has 2 distances, but the mesh has 441 vertices\n");
+    assert_eq!(said, "taut: error: short.txt: has 2 numbers, but the mesh has 441 vertices\n");
     for bad in ["nan", "1 2", "one"] {
         desk.write("bad.txt", &format!("0\n# comment\n{bad}\n"));
         let said = desk.says(1, "distance grid.obj --source 0 --reference bad.txt");

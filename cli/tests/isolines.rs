@@ -82,39 +82,68 @@ fn the_lines_of_a_file_of_values() {
         assert!(points.iter().all(|p| (p[0] - level).abs() < 1e-12));
     }
     desk.write("short.txt", "0\n1\n");
-    assert!(desk.says(1, "isolines grid.obj --values short.txt --count 1 -o a.obj").contains("2 distances"));
+    assert!(desk.says(1, "isolines grid.obj --values short.txt --count 1 -o a.obj").contains("2 numbers"));
 }
 
 #[test]
-fn a_drawing_is_seen_along_an_axis() {
+fn a_drawing_shows_what_the_surface_does_not_hide() {
     let desk = Desk::new();
-    let tower = shapes::cylinder(4, 3, 3.0);
-    desk.write("tower.obj", &obj(&tower));
-    let heights: String = tower.positions.iter().map(|p| format!("{}\n", p[2])).collect();
+    let ball = shapes::icosphere(3);
+    desk.write("ball.obj", &obj(&ball));
+    let heights: String = ball.positions.iter().map(|p| format!("{}\n", p[1])).collect();
     desk.write("heights.txt", &heights);
-    let draw = |view: &str| {
-        desk.prints(&format!("isolines tower.obj --values heights.txt --spacing 1 -o lines.svg {view}"));
-        let text = desk.read("lines.svg");
-        assert!(text.starts_with("<svg ") && text.ends_with("</svg>\n"));
-        assert_eq!((text.matches("<g ").count(), text.matches("<polygon").count()), (2, 2));
-        assert!(text.contains("<title>1</title>") && text.contains("<title>2</title>"));
-        drawn(&text)
-    };
-    // From above two squares, one over the other; their first corner is to the right, their second up.
-    let top = draw("--view z");
-    for corner in [[1000.0, 500.0], [500.0, 0.0], [0.0, 500.0], [500.0, 1000.0]] {
-        assert!(top.iter().all(|line| line.len() == 4 && line.contains(&corner)), "{top:?}");
-    }
-    // The box around the lines is 2 by 2 by 1.
-    assert_eq!(draw(""), top);
-    // From the side level lines, the higher one up, half as far apart as they are long.
-    let side = draw("--view x");
-    assert!(side[0].iter().all(|p| p[1] == 500.0) && side[1].iter().all(|p| p[1] == 0.0), "{side:?}");
-    // From +y the higher one is down.
-    assert!(draw("--view y")[1].iter().all(|p| p[1] == 500.0));
-    // Colours differ by level.
+    desk.prints("isolines ball.obj --values heights.txt --count 3 -o lines.svg --view front --size 600x600");
     let text = desk.read("lines.svg");
-    assert!(text.contains("rgb(40,60,140)") && text.contains("rgb(235,140,30)"));
+    assert!(text.starts_with("<svg ") && text.ends_with("</svg>\n") && text.contains("viewBox=\"0 0 600 600\""));
+    assert_eq!(text.matches("<g ").count(), 3);
+    // Of each circle of latitude the near half: over the same width on both sides, the higher one farther up.
+    let halves: Vec<[f64; 3]> = drawn(&text)
+        .iter()
+        .map(|part| {
+            let x = |pick: fn(f64, f64) -> f64| part.iter().map(|p| p[0]).reduce(pick).unwrap();
+            [x(f64::min), x(f64::max), part.iter().map(|p| p[1]).sum::<f64>() / part.len() as f64]
+        })
+        .collect();
+    assert_eq!(halves.len(), 3, "{halves:?}");
+    for [left, right, _] in &halves {
+        assert!((left + right - 600.0).abs() < 12.0 && right - left > 400.0, "{halves:?}");
+    }
+    assert!(halves.is_sorted_by(|a, b| a[2] > b[2] + 100.0), "{halves:?}");
+}
+
+#[test]
+fn a_drawing_from_above_has_straight_lines_in_the_colours_of_their_levels() {
+    let desk = Desk::with_grid();
+    let columns: String = shapes::grid(20, 20).positions.iter().map(|p| format!("{}\n", p[0])).collect();
+    desk.write("columns.txt", &columns);
+    desk.prints("isolines grid.obj --values columns.txt --spacing 5 -o lines.svg --view top");
+    let text = desk.read("lines.svg");
+    let lines = drawn(&text);
+    assert_eq!(lines.len(), 3);
+    let mean = |line: &[[f64; 2]], k: usize| line.iter().map(|p| p[k]).sum::<f64>() / line.len() as f64;
+    for line in &lines {
+        let x = mean(line, 0);
+        assert!(line.iter().all(|p| (p[0] - x).abs() < 0.02), "upright: {line:?}");
+        let [top, bottom] = [line[0][1], line[line.len() - 1][1]];
+        assert!((top - bottom).abs() > 700.0, "from rim to rim");
+    }
+    let step = [1, 2].map(|i| mean(&lines[i], 0) - mean(&lines[i - 1], 0));
+    assert!(step[0].abs() > 150.0 && (step[0] - step[1]).abs() < 0.05, "{step:?}");
+    let colours: Vec<&str> = text.split("stroke=\"").skip(1).map(|rest| rest.split('"').next().unwrap()).collect();
+    assert_eq!(colours.last(), Some(&"rgb(59,50,128)"), "the last colour of pictures");
+    assert!(colours[0] != colours[1] && colours[1] != colours[2]);
+}
+
+#[test]
+fn a_picture_of_lines() {
+    let desk = Desk::with_grid();
+    let draw = |options: &str| {
+        desk.prints(&format!("isolines grid.obj --source 0 --method exact --picture lines.png --view top {options}"));
+        std::fs::read(desk.path("lines.png")).unwrap()
+    };
+    let [few, many] = ["--count 1", "--count 9 -o lines.obj"].map(draw);
+    assert!(few.starts_with(b"\x89PNG") && few != many);
+    assert_eq!(polylines(&desk.read("lines.obj")).len(), 9);
 }
 
 #[test]
@@ -137,11 +166,12 @@ fn what_makes_no_sense_is_refused_and_leaves_no_file() {
         ("--count 3 -o a.obj", "--source"),
         ("--source 0 -o a.obj", "--count"),
         ("--source 0 --count 3", "--output"),
+        ("--source 0 --count 3 -o a.obj --size 100x100", "--size"),
         ("--source 0 --count 3 --spacing 1 -o a.obj", "--spacing"),
         ("--source 0 --count -3 -o a.obj", "--count"),
         ("--source 0 --count 3 -o a.txt", ".svg"),
         ("--source 0 --count 3 -o a", ".svg"),
-        ("--source 0 --count 3 -o a.obj --view x", "--view"),
+        ("--source 0 --count 3 -o a.obj --view top", "--view"),
         ("--source 0 --count 3 -o a.obj --values zeros.txt", "--values"),
         ("--sources zeros.txt --count 3 -o a.obj --values zeros.txt", "--values"),
         ("--method heat --count 3 -o a.obj --values zeros.txt", "--method"),

@@ -46,12 +46,12 @@ pub(crate) struct PictureArgs {
 
     /// Look from the front, back, left, right, top or bottom, or from the direction x,y,z;
     /// by default from where most is seen
-    #[arg(verbatim_doc_comment, help_heading = HEADING, long, requires = "picture", allow_hyphen_values = true)]
+    #[arg(verbatim_doc_comment, help_heading = HEADING, long, allow_hyphen_values = true)]
     view: Option<View>,
 
-    /// Width and height of the picture in pixels
-    #[arg(help_heading = HEADING, long, value_name = "WxH", default_value = "1200x900", value_parser = size)]
-    size: [u32; 2],
+    /// Width and height in pixels [default: 1200x900]
+    #[arg(help_heading = HEADING, long, value_name = "WxH", value_parser = size)]
+    size: Option<[u32; 2]>,
 }
 
 fn size(text: &str) -> std::result::Result<[u32; 2], String> {
@@ -65,6 +65,8 @@ fn size(text: &str) -> std::result::Result<[u32; 2], String> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Quantity {
     Distance,
+    /// Anything.
+    Value,
     /// In percent.
     Error,
 }
@@ -87,16 +89,56 @@ impl PictureArgs {
     /// The file of the picture, if one was asked for.
     pub(crate) fn draw(&self, picture: &Picture) -> Result<Option<Output<'_>>> {
         let Some(path) = &self.picture else { return Ok(None) };
-        let canvas = picture.draw(self.view, self.size);
+        let canvas = picture.draw(self.view, self.size());
         let bytes = canvas.png().map_err(|error| format!("{}: {error}", path.display()))?;
         Ok(Some((path, bytes)))
+    }
+
+    /// The option that means nothing where nothing is drawn.
+    pub(crate) fn useless(&self) -> Option<&'static str> {
+        let given = [("--view", self.view.is_some()), ("--size", self.size.is_some())];
+        given.into_iter().find_map(|(name, is_given)| (is_given && self.picture.is_none()).then_some(name))
+    }
+
+    pub(crate) fn size(&self) -> [u32; 2] {
+        self.size.unwrap_or([1200, 900])
+    }
+}
+
+/// What can be seen of lines on a surface, for drawings of lines alone; the view is that of the picture.
+pub(crate) struct Sight {
+    body: Body,
+    camera: Camera,
+    front: Front,
+}
+
+impl Sight {
+    /// None where there is no surface.
+    pub(crate) fn new(picture: &Picture, args: &PictureArgs) -> Option<Sight> {
+        let size = args.size();
+        let range = Range::new(picture.values, false);
+        let values: Vec<f32> = picture.values.iter().map(|&value| range.place(value)).collect();
+        let body = Body::new(picture.mesh, &[])?;
+        let (camera, _) = picture.camera(&body, &values, args.view, size, 0.0);
+        let paint = Paint { values: &values, map: &picture.quantity.map(), levels: &[], line: 1.0 };
+        let front = Front::new(&surface::pieces(&body, &camera, &paint, size), &camera, size);
+        Some(Sight { body, camera, front })
+    }
+
+    /// The visible parts of a line on the surface, in pixels from the top left.
+    pub(crate) fn visible(&self, line: impl Iterator<Item = [f64; 3]>) -> Vec<Vec<[f32; 2]>> {
+        let line: Vec<Vec3> = line.map(|point| self.body.place(point)).collect();
+        let parts = self.front.visible(&self.camera, &line);
+        parts.into_iter().map(|part| part.into_iter().map(|spot| spot.to_array()).collect()).collect()
     }
 }
 
 impl Quantity {
     pub(crate) fn map(self) -> ColourMap {
         ColourMap::through(match self {
-            Quantity::Distance => &[0xff_f1_d6, 0xff_c8_8a, 0xf8_8a_68, 0xd3_55_80, 0x8a_3f_9b, 0x3b_32_80],
+            Quantity::Distance | Quantity::Value => {
+                &[0xff_f1_d6, 0xff_c8_8a, 0xf8_8a_68, 0xd3_55_80, 0x8a_3f_9b, 0x3b_32_80]
+            }
             Quantity::Error => &[0xf4_f4_f0, 0xf7_d8_a8, 0xf0_9a_5e, 0xd6_4a_3f, 0x8e_17_36, 0x4a_0c_2c],
         })
     }
@@ -104,6 +146,7 @@ impl Quantity {
     fn words(self) -> [&'static str; 2] {
         match self {
             Quantity::Distance => ["Distance", "mesh units"],
+            Quantity::Value => ["Value", ""],
             Quantity::Error => ["Error", "%"],
         }
     }
@@ -136,15 +179,9 @@ impl Picture<'_> {
         legend: f32,
     ) {
         let size = [canvas.width, canvas.height];
-        let [width, height] = size.map(|side| side as f32);
+        let side = canvas.width.min(canvas.height) as f32;
         let values: Vec<f32> = self.values.iter().map(|&value| range.place(value)).collect();
-        let axes = Axes::guess(body);
-        let sources: Vec<Vec3> = self.sources.iter().map(|&source| body.place(source)).collect();
-        let [from, up] = view.map_or_else(|| axes.best(body, &values, &sources), |view| axes.named(view));
-        let side = width.min(height);
-        let margin = 0.06 * side;
-        let [free, down] = [width - 2.0 * margin - legend, height - 2.0 * margin];
-        let camera = Camera::new(body, from, up, Frame { left: margin, top: margin, width: free, height: down });
+        let (camera, axes) = self.camera(body, &values, view, size, legend);
 
         let levels = self.levels(range);
         let paint = Paint { values: &values, map, levels: &levels, line: (side / 750.0).max(1.0) };
@@ -159,11 +196,23 @@ impl Picture<'_> {
         }
     }
 
+    /// Looks at the surface, with room for a legend at the right.
+    fn camera(&self, body: &Body, values: &[f32], view: Option<View>, size: [u32; 2], legend: f32) -> (Camera, Axes) {
+        let [width, height] = size.map(|side| side as f32);
+        let axes = Axes::guess(body);
+        let sources: Vec<Vec3> = self.sources.iter().map(|&source| body.place(source)).collect();
+        let [from, up] = view.map_or_else(|| axes.best(body, values, &sources), |view| axes.named(view));
+        let margin = 0.06 * width.min(height);
+        let [free, down] = [width - 2.0 * margin - legend, height - 2.0 * margin];
+        let frame = Frame { left: margin, top: margin, width: free, height: down };
+        (Camera::new(body, from, up, frame), axes)
+    }
+
     /// Where isolines are between the ends of the range, ascending.
     fn levels(&self, range: Range) -> Vec<f32> {
         let levels = match (self.levels, self.quantity) {
             (Some(levels), _) => levels.to_vec(),
-            (None, Quantity::Distance) => range.ticks(30.0),
+            (None, Quantity::Distance | Quantity::Value) => range.ticks(30.0),
             (None, Quantity::Error) => Vec::new(),
         };
         let mut levels: Vec<f32> = levels.into_iter().map(|level| range.place(level)).collect();
