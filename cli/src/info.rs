@@ -179,9 +179,12 @@ impl List {
     }
 }
 
-fn findings(report: &MeshReport) -> [Finding; 8] {
+fn findings(report: &MeshReport) -> [Finding; 9] {
+    let twisted: Vec<u32> =
+        (0..).zip(&report.components).filter(|(_, part)| !part.is_orientable).map(|(i, _)| i).collect();
     let finding = |name, list, meaning| Finding { name, list, meaning };
     [
+        finding("one-sided components", List::of(&twisted), "no choice of sides suits all their triangles"),
         finding(
             "non-manifold edges",
             List::edges(&report.nonmanifold_edges),

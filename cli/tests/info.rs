@@ -44,6 +44,14 @@ fn findings_are_counted_shown_and_explained() {
     assert_eq!(line(&text, "repeated-index faces"), "1: 3; ignored");
     assert_eq!(line(&text, "unreferenced vertices"), "2: 5, 6; out of reach");
     assert!(line(&text, "non-manifold vertices").starts_with("1: 2; "));
+    // Three quads in a ring, the last joined to the first upside down.
+    desk.write(
+        "moebius.off",
+        "OFF\n6 3 0\n0 0 0\n0 0 1\n1 0 0\n1 0 1\n0 1 0\n0 1 1\n4 0 1 3 2\n4 2 3 5 4\n4 4 5 0 1\n",
+    );
+    let text = desk.prints("info moebius.off");
+    assert_eq!(line(&text, "component 0"), "6 triangles from vertex 0, not orientable, 1 boundary loop");
+    assert!(line(&text, "one-sided components").starts_with("1: 0; "));
     // Of many, the first few.
     let loose: String = (0..1000).map(|i| format!("v {i} 0 0\n")).collect();
     desk.write("loose.obj", &format!("{loose}f 1 2 3\n"));
