@@ -874,7 +874,7 @@ void taut_exact_free(taut_exact *exact);
  * - `out`: receives the field, to be freed with `taut_exact_field_free`; NULL on failure.
  *
  * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE names the source or target; TAUT_REASON_CANCELLED.
- * Cost: about 25 windows per triangle on scanned surfaces, O(V^2) at worst; memory for the moving front only. Threads:
+ * Cost: about 20 windows per triangle on scanned surfaces, O(V^2) at worst; memory for the moving front only. Threads:
  * any, also on one `exact` at once. Cancelled within a few hundred vertices.
  */
 taut_status taut_exact_field_new(const taut_exact *exact,

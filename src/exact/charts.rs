@@ -9,14 +9,15 @@
 //! its triangles do not form one closed or one open fan, or one of them is a sliver: there rounding decides on which side
 //! of the vertex a straight line passes, and neither side may be left out. A pseudo-source too many costs time only.
 //!
-//! O(V + F) time; 24 bytes per half-edge.
+//! O(V + F) time; 40 bytes per half-edge.
 
 use crate::mesh::Mesh;
 use crate::mesh::fan::{Fan, fan};
+use crate::mesh::topology::NONE;
 use crate::metric::{Scale, cross, dot, minus};
 use std::f64::consts::PI;
 
-/// A triangle laid flat along one of its half-edges.
+/// A triangle laid flat along one of its half-edges, and what is around: one record, because they are needed together.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Chart {
     /// Length of the half-edge.
@@ -24,7 +25,15 @@ pub(crate) struct Chart {
     /// Coordinates of the apex.
     pub(crate) tx: f64,
     pub(crate) ty: f64,
+    /// The vertex where the half-edge starts, and the triangle's angle there, which need not be exact.
+    pub(crate) start: u32,
+    pub(crate) angle: f32,
+    /// The other half-edge on the edge, NONE at the boundary, or SEVERAL.
+    pub(crate) twin: u32,
 }
+
+/// In place of a twin where an edge has more than two triangles.
+pub(crate) const SEVERAL: u32 = NONE - 1;
 
 /// A height below this share of the longest edge is raised to it: then a triangle without area still conducts along
 /// its edges and no ray is parallel to an edge. It moves nothing by more than the rounding of the coordinates.
@@ -36,10 +45,18 @@ const ANGLE_TOLERANCE: f64 = 1e-9;
 /// The chart of every half-edge, in units of `scale`; those of ignored triangles are never used.
 pub(crate) fn charts(mesh: &Mesh, scale: Scale) -> Vec<Chart> {
     let positions = scale.unit_positions(mesh);
-    mesh.triangles().iter().flat_map(|t| triangle_charts(t.map(|v| positions[v as usize]))).collect()
+    let flat = mesh.triangles().iter().flat_map(|&t| triangle_charts(t, t.map(|v| positions[v as usize])));
+    let topology = mesh.topology();
+    let twin = |h: u32, e: u32| match topology.halfedges.row(e) {
+        [_] => NONE,
+        &[a, b] => a ^ b ^ h,
+        _ => SEVERAL,
+    };
+    let used = |(h, &e): (u32, &u32)| if e == NONE { NONE } else { twin(h, e) };
+    flat.zip((0..).zip(&topology.edge_of)).map(|(chart, edge)| Chart { twin: used(edge), ..chart }).collect()
 }
 
-fn triangle_charts([a, b, c]: [[f64; 3]; 3]) -> [Chart; 3] {
+fn triangle_charts(triangle: [u32; 3], [a, b, c]: [[f64; 3]; 3]) -> [Chart; 3] {
     let sides = [minus(b, a), minus(c, b), minus(a, c)];
     let lengths = sides.map(|side| dot(side, side).sqrt());
     let longest = lengths[0].max(lengths[1]).max(lengths[2]);
@@ -47,11 +64,12 @@ fn triangle_charts([a, b, c]: [[f64; 3]; 3]) -> [Chart; 3] {
     std::array::from_fn(|k| {
         let length = lengths[k];
         let to_apex = sides[(k + 2) % 3].map(|x| -x);
-        if length == 0.0 {
-            return Chart { length, tx: 0.0, ty: lengths[(k + 1) % 3].max(longest * LEAST_HEIGHT) };
-        }
-        let ty = (double_area / length).max(longest * LEAST_HEIGHT);
-        Chart { length, tx: dot(to_apex, sides[k]) / length, ty }
+        let [tx, ty] = if length == 0.0 {
+            [0.0, lengths[(k + 1) % 3].max(longest * LEAST_HEIGHT)]
+        } else {
+            [dot(to_apex, sides[k]) / length, (double_area / length).max(longest * LEAST_HEIGHT)]
+        };
+        Chart { length, tx, ty, start: triangle[k], angle: ty.atan2(tx) as f32, twin: NONE }
     })
 }
 
@@ -84,24 +102,31 @@ pub(crate) fn remembering(mesh: &Mesh, sliver: &[bool]) -> Vec<bool> {
     remembers
 }
 
-/// Which vertices are pseudo-sources.
-pub(crate) fn pseudo_sources(mesh: &Mesh, charts: &[Chart], sliver: &[bool]) -> Vec<bool> {
-    let is_pseudo_source = |v: u32| {
+/// Where paths can bend at a vertex.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Bend {
+    /// Nowhere: it is no pseudo-source.
+    Nowhere,
+    /// Away from where they come, by at least π to either side: the wedge of directions that they cannot reach straight.
+    Wedge,
+    /// In any direction.
+    Anywhere,
+}
+
+/// How paths bend at each vertex.
+pub(crate) fn bends(mesh: &Mesh, charts: &[Chart], sliver: &[bool]) -> Vec<Bend> {
+    let bend = |v: u32| {
         let corners = mesh.topology().corners.row(v);
         if corners.iter().any(|&h| sliver[(h / 3) as usize]) {
-            return true;
+            return Bend::Anywhere;
         }
         let flat = match fan(mesh, v) {
             Fan::Closed => 2.0 * PI,
             Fan::Open => PI,
-            Fan::Other => return true,
+            Fan::Other => return Bend::Anywhere,
         };
-        corners.iter().map(|&h| corner_angle(&charts[h as usize])).sum::<f64>() > flat + ANGLE_TOLERANCE
+        let angle = corners.iter().map(|&h| f64::from(charts[h as usize].angle)).sum::<f64>();
+        if angle > flat + ANGLE_TOLERANCE { Bend::Wedge } else { Bend::Nowhere }
     };
-    (0..mesh.topology().corners.rows()).map(is_pseudo_source).collect()
-}
-
-/// The angle where the chart's half-edge starts.
-fn corner_angle(chart: &Chart) -> f64 {
-    chart.ty.atan2(chart.tx)
+    (0..mesh.topology().corners.rows()).map(bend).collect()
 }

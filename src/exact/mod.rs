@@ -8,7 +8,7 @@
 //! Data path: [`charts`] (each triangle laid flat) -> [`propagate`] (windows cross triangles; [`envelope`] trims them)
 //! -> labels of the vertices.
 //!
-//! Cost: O(V²) windows in the worst case, about 25 per triangle on scans; the memory grows with the front only.
+//! Cost: O(V²) windows in the worst case, about 20 per triangle on scans; the memory grows with the front only.
 
 mod charts;
 mod envelope;
@@ -20,7 +20,7 @@ use crate::error::{Element, Error, Reason, Result};
 use crate::mesh::Mesh;
 use crate::metric::Scale;
 use crate::surface::point::Source;
-use charts::Chart;
+use charts::{Bend, Chart};
 use propagate::Front;
 use std::sync::Arc;
 
@@ -44,7 +44,7 @@ pub(crate) struct Prepared {
     mesh: Mesh,
     scale: Scale,
     charts: Vec<Chart>,
-    pseudo_source: Vec<bool>,
+    bends: Vec<Bend>,
     /// Which triangles are slivers.
     sliver: Vec<bool>,
     /// Which triangles remember the windows that crossed them.
@@ -69,7 +69,7 @@ pub struct ExactField {
 }
 
 impl ExactSolver {
-    /// Prepares a mesh: lays each triangle flat and finds the pseudo-sources. O(V + F) time, 72 bytes per triangle.
+    /// Prepares a mesh: lays each triangle flat and finds the pseudo-sources. O(V + F) time, 120 bytes per triangle.
     ///
     /// # Errors
     /// None today; the mesh was checked when it was made.
@@ -77,7 +77,7 @@ impl ExactSolver {
         let scale = Scale::of(mesh);
         let charts = charts::charts(mesh, scale);
         let sliver = charts::slivers(&charts);
-        let pseudo_source = charts::pseudo_sources(mesh, &charts, &sliver);
+        let bends = charts::bends(mesh, &charts, &sliver);
         let remembers = charts::remembering(mesh, &sliver);
         let edge_of = &mesh.topology().edge_of;
         let edges = charts.iter().zip(edge_of).filter(|&(_, &e)| e != crate::mesh::topology::NONE);
@@ -86,7 +86,7 @@ impl ExactSolver {
             mesh: mesh.clone(),
             scale,
             charts,
-            pseudo_source,
+            bends,
             sliver,
             remembers,
             longest_edge,

@@ -3,8 +3,8 @@
 //! Every half-edge h keeps one list of the windows that wait to enter its triangle. When windows arrive, the triangle's
 //! apex is labelled with the shortest path over them. A heap hands out labelled vertices, nearest first: a vertex that
 //! is handed out is *settled*, the lists that wait for it as their apex cross their triangles as a whole, and a
-//! pseudo-source among the vertices throws new windows over all its triangles. Windows that arrive where the apex is
-//! settled cross at once. Order decides speed, never exactness: a label can still fall after its vertex was settled, and
+//! pseudo-source among the vertices throws new windows, over those of its triangles that hold a direction into which the
+//! path that came can bend (all of them at a source). Windows that arrive where the apex is settled cross at once. Order decides speed, never exactness: a label can still fall after its vertex was settled, and
 //! then the vertex is handed out again.
 //!
 //! Before a list crosses (A, B the ends of its edge, C the apex)
@@ -23,14 +23,15 @@
 //! propagation", ACM TOG 35 (2016).
 
 use super::Prepared;
-use super::charts::Chart;
-use super::envelope::{Memory, trim};
-use super::window::{Entry, Window};
+use super::charts::{Bend, SEVERAL};
+use super::envelope::{Memory, Scratch, trim};
+use super::window::{Entry, Turn, Window};
 use crate::control::Control;
 use crate::error::Result;
-use crate::mesh::topology::{NONE, next, prev, start};
+use crate::mesh::topology::{NONE, next, prev};
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, VecDeque};
+use std::f64::consts::PI;
 
 /// The windows that wait on one half-edge.
 #[derive(Debug, Default)]
@@ -41,11 +42,24 @@ struct List {
     queued: bool,
 }
 
+/// The last straight piece of a path to a vertex: over the opposite half-edge h of one of its triangles, at this place.
+/// NONE for a source.
+#[derive(Debug, Clone, Copy)]
+struct Arrival {
+    h: u32,
+    at: f64,
+}
+
+/// A direction this close to the wedge of directions that a path can bend into counts as in it, in radians.
+const WEDGE_PAD: f64 = 1e-3;
+
 /// The state of one propagation; all lengths in units.
 pub(crate) struct Front<'a> {
     solver: &'a Prepared,
     /// Least distance known of each vertex.
     label: Vec<f64>,
+    /// How the shortest path known comes to each vertex.
+    arrival: Vec<Arrival>,
     /// Label of each vertex when it was last settled; +inf before.
     settled: Vec<f64>,
     /// Labelled vertices, nearest first.
@@ -58,7 +72,9 @@ pub(crate) struct Front<'a> {
     queue: VecDeque<u32>,
     /// What crossed each half-edge of the triangles that remember.
     memory: HashMap<u32, Memory>,
-    scratch: Vec<Window>,
+    scratch: Scratch,
+    children: Vec<Window>,
+    corners: Vec<(f64, u32)>,
     crossed: u64,
 }
 
@@ -74,6 +90,7 @@ impl<'a> Front<'a> {
         Front {
             solver,
             label: vec![f64::INFINITY; vertices],
+            arrival: vec![Arrival { h: NONE, at: 0.0 }; vertices],
             settled: vec![f64::INFINITY; vertices],
             heap: BinaryHeap::new(),
             waiting: vec![NONE; solver.charts.len()],
@@ -81,14 +98,16 @@ impl<'a> Front<'a> {
             free: Vec::new(),
             queue: VecDeque::new(),
             memory: HashMap::new(),
-            scratch: Vec::new(),
+            scratch: Scratch::default(),
+            children: Vec::new(),
+            corners: Vec::new(),
             crossed: 0,
         }
     }
 
     /// Starts from vertex `v` at `distance`, which must not be negative.
     pub(crate) fn start(&mut self, v: u32, distance: f64) {
-        self.relax(v, distance);
+        self.relax(v, distance, Arrival { h: NONE, at: 0.0 });
     }
 
     /// Propagates until nothing is left or every target's distance is final; returns the radius up to which all labels
@@ -136,8 +155,15 @@ impl<'a> Front<'a> {
         for &h in solver.mesh.topology().corners.row(v) {
             self.enqueue(next(h));
         }
-        if is_source || solver.pseudo_source[v as usize] {
-            self.emit(v);
+        match solver.bends[v as usize] {
+            Bend::Wedge if !is_source => {
+                let mut corners = std::mem::take(&mut self.corners);
+                self.wedge(v, &mut corners);
+                self.emit(v, corners.iter().map(|&(_, corner)| corner));
+                self.corners = corners;
+            }
+            Bend::Nowhere if !is_source => {}
+            _ => self.emit(v, solver.mesh.topology().corners.row(v).iter().copied()),
         }
     }
 
@@ -151,31 +177,83 @@ impl<'a> Front<'a> {
         }
     }
 
-    /// Throws windows from vertex v through all its triangles, and walks its edges.
-    ///
-    /// Where v lies on the opposite edge of a triangle, which then has no area, a window on that edge could not hold all
-    /// the directions from v: the triangles beyond the edge pass them on at once.
-    fn emit(&mut self, v: u32) {
+    /// Walks the edges at v, and throws windows from v through the triangles of some of its corners.
+    fn emit(&mut self, v: u32, corners: impl Iterator<Item = u32>) {
         let solver = self.solver;
         let sigma = self.label[v as usize];
-        let mut thrown = Vec::new();
         for &h in solver.mesh.topology().corners.row(v) {
             let (opposite, back) = (next(h), prev(h));
-            self.relax(solver.start(opposite), sigma + solver.charts[h as usize].length);
-            self.relax(solver.start(back), sigma + solver.charts[back as usize].length);
-            let chart = solver.charts[opposite as usize];
-            let window = Window { b0: 0.0, b1: chart.length, sx: chart.tx, sy: chart.ty, sigma };
-            thrown.push((opposite, solver.start(opposite), window));
+            let back_length = solver.charts[back as usize].length;
+            let along = Arrival { h: back, at: back_length };
+            self.relax(solver.start(opposite), sigma + solver.charts[h as usize].length, along);
+            self.relax(solver.start(back), sigma + back_length, Arrival { h, at: 0.0 });
         }
+        for h in corners {
+            let chart = solver.charts[next(h) as usize];
+            let window = Window { b0: 0.0, b1: chart.length, sx: chart.tx, sy: chart.ty, sigma };
+            self.pass(next(h), chart.start, &[window]);
+            if window.starts_on_edge(chart.length) {
+                self.pass_on(next(h), chart.start, window);
+            }
+        }
+    }
+
+    /// Where a pseudo-source lies on the edge of half-edge h, opposite to it in a triangle without area, a window on that
+    /// edge cannot hold all the directions from it: the triangles beyond the edge pass them on at once.
+    fn pass_on(&mut self, h: u32, origin: u32, window: Window) {
+        let solver = self.solver;
+        let mut thrown = vec![(h, origin, window)];
         let mut passed = Vec::new();
         while let Some((h, origin, window)) = thrown.pop() {
-            for (g, window) in solver.beyond(h, origin, window) {
-                self.arrive(g, window);
-                if window.starts_on_edge(solver.charts[g as usize].length) && !passed.contains(&g) {
+            for g in solver.others(h) {
+                let length = solver.charts[g as usize].length;
+                let window = if solver.start(g) == origin { window } else { window.mirrored(length) };
+                if window.starts_on_edge(length) && !passed.contains(&g) {
                     passed.push(g);
-                    thrown.extend(solver.children(g, &window, None).into_iter().flatten());
+                    for side in solver.sides(g) {
+                        let mut children = Vec::new();
+                        side.throw(&[window], None, &mut children);
+                        self.pass(side.h, side.origin, &children);
+                        thrown.extend(children.into_iter().map(|child| (side.h, side.origin, child)));
+                    }
                 }
             }
+        }
+    }
+
+    /// The corners at v with directions into which the path that came can bend: at least π from where it came, on both
+    /// sides where there is surface. The shortest paths beyond v leave so, or they would have a shortcut. Each with the
+    /// angle from there to its nearer end, where the triangles close around v.
+    fn wedge(&self, v: u32, corners: &mut Vec<(f64, u32)>) {
+        let solver = self.solver;
+        let Arrival { h, at } = self.arrival[v as usize];
+        let chart = solver.charts[h as usize];
+        let first = prev(h);
+        let angle = |h: u32| f64::from(solver.charts[h as usize].angle);
+        // Of the first corner, from its half-edge to the way the path came.
+        let came = (at * chart.ty).atan2(chart.tx * (chart.tx - at) + chart.ty * chart.ty);
+        let least = PI - WEDGE_PAD;
+        corners.clear();
+        let mut turned = angle(first) - came;
+        let is_closed = solver.turn_around(v, first, prev(first), |corner| {
+            let from = turned;
+            turned += angle(corner);
+            if turned >= least {
+                corners.push((from, corner));
+            }
+        });
+        if is_closed {
+            // Back at the first corner's half-edge, `came` short of a full turn.
+            let most = turned + came - least;
+            corners.retain(|&(from, _)| from <= most);
+        } else {
+            turned = came;
+            solver.turn_around(v, first, first, |corner| {
+                turned += angle(corner);
+                if turned >= least {
+                    corners.push((0.0, corner));
+                }
+            });
         }
     }
 
@@ -183,26 +261,34 @@ impl<'a> Front<'a> {
         self.settled[v as usize] < f64::INFINITY
     }
 
-    fn relax(&mut self, v: u32, distance: f64) {
+    fn relax(&mut self, v: u32, distance: f64, arrival: Arrival) {
         if distance < self.label[v as usize] {
             self.label[v as usize] = distance;
+            self.arrival[v as usize] = arrival;
             // Not negative, so its bits order as it does.
             self.heap.push(Reverse((distance.to_bits(), v)));
         }
     }
 
-    /// Puts a window on the list of half-edge h and labels the apex. One that starts on the edge itself is not put there:
-    /// it has come back to its own pseudo-source, which has thrown it beyond the edge already.
-    fn arrive(&mut self, h: u32, window: Window) {
-        let entry = window.entry(&self.solver.charts[h as usize]);
+    /// Puts windows, measured from the end `origin` of its edge, on the list of half-edge h and labels the apex. One that
+    /// starts on the edge itself is not put there: it has come back to its own pseudo-source, which has thrown it beyond
+    /// the edge already.
+    fn arrive(&mut self, h: u32, origin: u32, windows: &[Window]) {
+        let chart = self.solver.charts[h as usize];
         let apex = self.solver.start(prev(h));
-        self.relax(apex, entry.distance);
-        if window.starts_on_edge(self.solver.charts[h as usize].length) {
-            return;
-        }
+        let is_mirrored = self.solver.start(h) != origin;
         let list = self.list_of(h);
-        list.windows.push(window);
+        let mut entry = Entry::default();
+        for i in 0..windows.len() {
+            // In the order of the list.
+            let window = if is_mirrored { windows[windows.len() - 1 - i].mirrored(chart.length) } else { windows[i] };
+            entry = entry.min(window.entry(&chart));
+            if !window.starts_on_edge(chart.length) {
+                list.windows.push(window);
+            }
+        }
         list.entry = list.entry.min(entry);
+        self.relax(apex, entry.distance, Arrival { h, at: entry.at });
         if self.is_settled(apex) {
             self.enqueue(h);
         }
@@ -227,7 +313,7 @@ impl<'a> Front<'a> {
         let mut windows = std::mem::take(&mut list.windows);
         let entry = std::mem::take(&mut list.entry);
         self.drop_dominated(h, &mut windows);
-        trim(&mut windows, &mut self.scratch);
+        trim(&mut windows, self.solver.charts[h as usize].ty, &mut self.scratch);
         if self.solver.remembers[(h / 3) as usize] {
             let length = self.solver.charts[h as usize].length;
             let memory = self.memory.entry(h).or_insert_with(|| Memory::new(length, TIE));
@@ -235,16 +321,27 @@ impl<'a> Front<'a> {
         }
         self.crossed += windows.len() as u64;
         let split = self.split_point(h, entry);
-        for window in &windows {
-            for (side, origin, child) in self.solver.children(h, window, Some(split)).into_iter().flatten() {
-                for (g, child) in self.solver.beyond(side, origin, child) {
-                    self.arrive(g, child);
-                }
-            }
+        let mut children = std::mem::take(&mut self.children);
+        for side in self.solver.sides(h) {
+            side.throw(&windows, Some(split), &mut children);
+            self.pass(side.h, side.origin, &children);
         }
+        self.children = children;
         windows.clear();
         self.lists[id as usize].windows = windows;
         self.free.push(id);
+    }
+
+    /// Lets windows that leave a triangle by half-edge h, measured from `origin`, arrive in the others on its edge.
+    fn pass(&mut self, h: u32, origin: u32, windows: &[Window]) {
+        if windows.is_empty() {
+            return;
+        }
+        match self.solver.charts[h as usize].twin {
+            NONE => {}
+            SEVERAL => self.solver.others(h).for_each(|g| self.arrive(g, origin, windows)),
+            g => self.arrive(g, origin, windows),
+        }
     }
 
     /// Drops windows that a path over an end of the edge beats at each of their points: by the triangle inequality it
@@ -257,7 +354,11 @@ impl<'a> Front<'a> {
         let share = if solver.sliver[(h / 3) as usize] { 1.0 - TIE } else { 1.0 };
         windows.retain(|w| {
             let (over_a, over_b) = (at_a + w.b1, at_b + (length - w.b0));
-            over_a * share >= w.distance(w.b1) && over_b * share >= w.distance(w.b0)
+            let reaches = |x: f64, limit: f64| {
+                let (dx, left) = (x - w.sx, limit - w.sigma);
+                left >= 0.0 && dx * dx + w.sy * w.sy <= left * left
+            };
+            reaches(w.b1, over_a * share) && reaches(w.b0, over_b * share)
         });
     }
 
@@ -273,40 +374,79 @@ impl<'a> Front<'a> {
     }
 }
 
-/// A window that leaves a triangle: by which half-edge, from which vertex it is measured, and the window.
-type Leaving = (u32, u32, Window);
-
 impl Prepared {
     /// The vertex where half-edge h starts.
     fn start(&self, h: u32) -> u32 {
-        start(self.mesh.triangles(), h)
+        self.charts[h as usize].start
     }
 
-    /// The half-edges by which a window enters the other triangles on the edge of h, each with the window as it lies
-    /// there. It is measured from the edge's end `origin`.
-    fn beyond(&self, h: u32, origin: u32, window: Window) -> impl Iterator<Item = (u32, Window)> {
+    /// The half-edges on the edge of h besides h.
+    fn others(&self, h: u32) -> impl Iterator<Item = u32> {
         let topology = self.mesh.topology();
-        let length = self.charts[h as usize].length;
-        topology.halfedges.row(topology.edge_of[h as usize]).iter().filter(move |&&g| g != h).map(move |&g| {
-            let starts_here = self.start(g) == origin;
-            (g, if starts_here { window } else { window.mirrored(length) })
-        })
+        topology.halfedges.row(topology.edge_of[h as usize]).iter().copied().filter(move |&g| g != h)
     }
 
-    /// What a window on half-edge h throws on the two other sides of its triangle; left of `split` to the side at the
-    /// edge's start only, right of it to the other, if there is a split.
-    fn children(&self, h: u32, window: &Window, split: Option<f64>) -> [Option<Leaving>; 2] {
+    /// Tells the corners around `v` behind the corner `first`, whose triangle is left by half-edge `leave`, until the
+    /// first comes again, which it says, or the boundary. There must be no edge of several triangles at v.
+    fn turn_around(&self, v: u32, first: u32, leave: u32, mut tell: impl FnMut(u32)) -> bool {
+        let mut leave = leave;
+        loop {
+            let beyond = self.charts[leave as usize].twin;
+            if beyond == NONE {
+                return false;
+            }
+            // In the next triangle the two half-edges at v are the corner's own and the one before it.
+            let (corner, exit) =
+                if self.start(beyond) == v { (beyond, prev(beyond)) } else { (next(beyond), next(beyond)) };
+            if corner == first {
+                return true;
+            }
+            tell(corner);
+            leave = exit;
+        }
+    }
+
+    /// The two sides by which windows on half-edge h leave its triangle.
+    fn sides(&self, h: u32) -> [Side; 2] {
         let (to_start, to_end) = (prev(h), next(h));
         let chart = self.charts[h as usize];
-        let length = chart.length;
-        let child = |window: &Window, chart: &Chart, side: u32, limit: Option<f64>, origin: u32| {
-            let side_length = self.charts[side as usize].length;
-            let child = window.left_child(chart, side_length, limit.unwrap_or(length))?;
-            Some((side, origin, child))
-        };
-        let left = child(window, &chart, to_start, split, self.start(h));
-        let from_end = split.map(|split| length - split);
-        let right = child(&window.mirrored(length), &chart.mirrored(), to_end, from_end, self.start(to_end));
-        [left, right]
+        let [left, right] = [to_start, to_end].map(|side| self.charts[side as usize].length);
+        [
+            Side { h: to_start, origin: chart.start, turn: Turn::new(&chart, left), mirror: None },
+            Side {
+                h: to_end,
+                origin: self.start(to_end),
+                turn: Turn::mirrored(&chart, right),
+                mirror: Some(chart.length),
+            },
+        ]
+    }
+}
+
+/// A side by which windows leave a triangle.
+struct Side {
+    h: u32,
+    /// The end of the edge they came over, from which they are measured on this side.
+    origin: u32,
+    turn: Turn,
+    /// The length of the edge they came over, where they are measured from its other end.
+    mirror: Option<f64>,
+}
+
+impl Side {
+    /// What sorted windows throw on this side, sorted; if there is a split, only what lies between it and the origin.
+    fn throw(&self, windows: &[Window], split: Option<f64>, children: &mut Vec<Window>) {
+        children.clear();
+        match self.mirror {
+            None => {
+                let limit = split.unwrap_or(f64::INFINITY);
+                children.extend(windows.iter().filter_map(|w| w.left_child(&self.turn, limit)));
+            }
+            Some(length) => {
+                let limit = split.map_or(f64::INFINITY, |split| length - split);
+                let mirrored = windows.iter().rev().map(|w| w.mirrored(length));
+                children.extend(mirrored.filter_map(|w| w.left_child(&self.turn, limit)));
+            }
+        }
     }
 }

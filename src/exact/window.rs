@@ -27,6 +27,9 @@ pub(crate) struct Window {
 /// A pseudo-source nearer to an edge than this share of its length lies on it.
 const ON_EDGE: f64 = 1e-10;
 
+/// Places that differ by this share of their distance are the same, up to the rounding of many crossings.
+const SAME: f64 = 1e-13;
+
 /// The least distance of an apex over a window, and the point of the edge that its path crosses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Entry {
@@ -60,6 +63,14 @@ impl Window {
         Window { b0: length - self.b1, b1: length - self.b0, sx: length - self.sx, ..*self }
     }
 
+    /// Whether another window that begins no earlier has the same pseudo-source and no gap between: around a vertex where
+    /// the surface is flat two parts of one bundle of rays go apart and come together again.
+    pub(crate) fn continues_in(&self, next: &Window) -> bool {
+        let near = SAME * (self.sx.abs() + self.sy + self.b1);
+        let is_near = |a: f64, b: f64| (a - b).abs() <= near;
+        self.sigma == next.sigma && next.b0 <= self.b1 + near && is_near(self.sx, next.sx) && is_near(self.sy, next.sy)
+    }
+
     /// Whether the pseudo-source lies on the edge itself, where rounding decides which way it looks.
     pub(crate) fn starts_on_edge(&self, length: f64) -> bool {
         let near = ON_EDGE * length;
@@ -87,29 +98,47 @@ impl Window {
     }
 
     /// The window that this one throws, through the part of it before `limit`, on the side from the chart's start to
-    /// its apex; measured from the start. `side` is that side's length. None where no ray arrives there.
+    /// its apex; measured from the start. None where no ray arrives there.
     ///
     /// The ray through b meets the side at s = side·b·sy / (sy·tx - (b - sx)·ty). A ray through the apex ends at
     /// exactly `side`, so that the windows to its left and right meet there in the same bits.
-    pub(crate) fn left_child(&self, chart: &Chart, side: f64, limit: f64) -> Option<Window> {
-        let aim = self.aim(chart);
+    pub(crate) fn left_child(&self, turn: &Turn, limit: f64) -> Option<Window> {
+        let Turn { tx, ty, side, ux, uy } = *turn;
+        let cross = self.sy * tx + self.sx * ty;
+        // Through b < aim, where the straight line to the apex is: b (sy + ty) < cross.
+        let height = self.sy + ty;
         let last = self.b1.min(limit);
-        if self.b0 >= last.min(aim) {
+        if self.b0 >= last || self.b0 * height >= cross {
             return None;
         }
-        let cross = self.sy * chart.tx + self.sx * chart.ty;
-        let hit = |b: f64| if b >= aim { side } else { (side * b * self.sy / (cross - b * chart.ty)).min(side) };
+        let hit = |b: f64| if b * height >= cross { side } else { (side * b * self.sy / (cross - b * ty)).min(side) };
         let (b0, b1) = (hit(self.b0), hit(last));
-        let (ux, uy) = (chart.tx / side, chart.ty / side);
         let sx = self.sx * ux - self.sy * uy;
         let sy = (self.sy * ux + self.sx * uy).max(0.0);
         (b0 < b1).then_some(Window { b0, b1, sx, sy, sigma: self.sigma })
     }
 }
 
-impl Chart {
-    /// The same triangle laid along the same edge from its other end.
-    pub(crate) fn mirrored(&self) -> Chart {
-        Chart { tx: self.length - self.tx, ..*self }
+/// From a chart to its side between start and apex.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Turn {
+    /// The apex.
+    tx: f64,
+    ty: f64,
+    /// Length of the side, and its direction.
+    side: f64,
+    ux: f64,
+    uy: f64,
+}
+
+impl Turn {
+    /// `side` is its length.
+    pub(crate) fn new(chart: &Chart, side: f64) -> Turn {
+        Turn { tx: chart.tx, ty: chart.ty, side, ux: chart.tx / side, uy: chart.ty / side }
+    }
+
+    /// From the chart as it lies from its other end.
+    pub(crate) fn mirrored(chart: &Chart, side: f64) -> Turn {
+        Turn::new(&Chart { tx: chart.length - chart.tx, ..*chart }, side)
     }
 }

@@ -53,7 +53,7 @@ pub extern "C" fn taut_exact_free(exact: Option<Box<taut_exact>>) {
 /// - `out`: receives the field, to be freed with `taut_exact_field_free`; NULL on failure.
 ///
 /// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE names the source or target; TAUT_REASON_CANCELLED.
-/// Cost: about 25 windows per triangle on scanned surfaces, O(V^2) at worst; memory for the moving front only. Threads:
+/// Cost: about 20 windows per triangle on scanned surfaces, O(V^2) at worst; memory for the moving front only. Threads:
 /// any, also on one `exact` at once. Cancelled within a few hundred vertices.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_exact_field_new(
