@@ -405,7 +405,7 @@ fn windows_stay_few() {
         solver.field(&sources, &ExactOptions::default(), &Control::new()).unwrap().windows()
     };
     for (name, shape, most) in [
-        ("grid", shapes::grid(100, 100), 240_000),
+        ("grid", shapes::grid(100, 100), 31_000),
         ("terrain", shapes::terrain(60, 0.3), 66_000),
         ("torus", shapes::torus(96, 48, 1.0, 0.4), 205_000),
     ] {

@@ -25,9 +25,10 @@ pub(crate) struct Chart {
     /// Coordinates of the apex.
     pub(crate) tx: f64,
     pub(crate) ty: f64,
-    /// The vertex where the half-edge starts, and the triangle's angle there, which need not be exact.
+    /// The triangle's angle where the half-edge starts.
+    pub(crate) angle: f64,
+    /// The vertex where it starts.
     pub(crate) start: u32,
-    pub(crate) angle: f32,
     /// The other half-edge on the edge, NONE at the boundary, or SEVERAL.
     pub(crate) twin: u32,
 }
@@ -69,7 +70,7 @@ fn triangle_charts(triangle: [u32; 3], [a, b, c]: [[f64; 3]; 3]) -> [Chart; 3] {
         } else {
             [dot(to_apex, sides[k]) / length, (double_area / length).max(longest * LEAST_HEIGHT)]
         };
-        Chart { length, tx, ty, start: triangle[k], angle: ty.atan2(tx) as f32, twin: NONE }
+        Chart { length, tx, ty, start: triangle[k], angle: ty.atan2(tx), twin: NONE }
     })
 }
 
@@ -125,7 +126,7 @@ pub(crate) fn bends(mesh: &Mesh, charts: &[Chart], sliver: &[bool]) -> Vec<Bend>
             Fan::Open => PI,
             Fan::Other => return Bend::Anywhere,
         };
-        let angle = corners.iter().map(|&h| f64::from(charts[h as usize].angle)).sum::<f64>();
+        let angle = corners.iter().map(|&h| charts[h as usize].angle).sum::<f64>();
         if angle > flat + ANGLE_TOLERANCE { Bend::Wedge } else { Bend::Nowhere }
     };
     (0..mesh.topology().corners.rows()).map(bend).collect()

@@ -229,7 +229,7 @@ impl<'a> Front<'a> {
         let Arrival { h, at } = self.arrival[v as usize];
         let chart = solver.charts[h as usize];
         let first = prev(h);
-        let angle = |h: u32| f64::from(solver.charts[h as usize].angle);
+        let angle = |h: u32| solver.charts[h as usize].angle;
         // Of the first corner, from its half-edge to the way the path came.
         let came = (at * chart.ty).atan2(chart.tx * (chart.tx - at) + chart.ty * chart.ty);
         let least = PI - WEDGE_PAD;
