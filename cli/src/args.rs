@@ -115,18 +115,21 @@ enum ShiftArg {
     Min,
 }
 
+/// The formulas of t by the names they have on the command line.
+pub(crate) const FORMULAS: [(&str, TimeFormula); 5] = [
+    ("mean-edge", TimeFormula::MeanEdge),
+    ("sigma", TimeFormula::Sigma),
+    ("mean-sigma", TimeFormula::MeanSigma),
+    ("median-fit", TimeFormula::MedianFit),
+    ("median-mean", TimeFormula::MedianMean),
+];
+
 fn time_step(text: &str) -> Result<TimeStepArg, String> {
-    Ok(TimeStepArg::Formula(match text {
-        "mean-edge" => TimeFormula::MeanEdge,
-        "sigma" => TimeFormula::Sigma,
-        "mean-sigma" => TimeFormula::MeanSigma,
-        "median-fit" => TimeFormula::MedianFit,
-        "median-mean" => TimeFormula::MedianMean,
-        _ => {
-            let expected = "neither a number nor one of mean-edge, sigma, mean-sigma, median-fit, median-mean";
-            return text.parse().map(TimeStepArg::Value).map_err(|_| expected.to_owned());
-        }
-    }))
+    if let Some(&(_, formula)) = FORMULAS.iter().find(|(name, _)| *name == text) {
+        return Ok(TimeStepArg::Formula(formula));
+    }
+    let expected = || format!("neither a number nor one of {}", FORMULAS.map(|(name, _)| name).join(", "));
+    text.parse().map(TimeStepArg::Value).map_err(|_| expected())
 }
 
 impl FieldArgs {

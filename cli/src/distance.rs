@@ -102,11 +102,12 @@ pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
         None => output::lines(&field.distances),
     };
     let mesh_out = args.mesh_out.as_ref().map(|out| (&*out.path, out.content(&mesh, &field.distances)));
-    let distances = args.output.as_deref().map(|path| (path, text.clone().into_bytes()));
+    let (distances, printed) = match args.output.as_deref() {
+        Some(path) => (Some((path, text.into_bytes())), None),
+        None => (None, Some(text).filter(|_| !args.json)),
+    };
     output::write(&distances.into_iter().chain(mesh_out).chain(picture).collect::<Vec<_>>())?;
-    if args.output.is_none() && !args.json {
-        output::print(&text)?;
-    }
+    printed.map_or(Ok(()), |text| output::print(&text))?;
     if args.json {
         return output::json(&report(&mesh, &field, read, errors));
     }

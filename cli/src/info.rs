@@ -1,5 +1,6 @@
 //! `taut info`: what a mesh is and what is unusual about it, for people or as JSON.
 
+use crate::args::FORMULAS;
 use crate::output;
 use crate::{Result, input};
 use clap::Args;
@@ -43,15 +44,6 @@ pub(crate) fn run(args: &InfoArgs) -> Result<()> {
     }
     output::print(&text(&mesh, &report, properties.as_ref()))
 }
-
-/// The formulas of t by the names they have on the command line.
-const FORMULAS: [(&str, TimeFormula); 5] = [
-    ("mean-edge", TimeFormula::MeanEdge),
-    ("sigma", TimeFormula::Sigma),
-    ("mean-sigma", TimeFormula::MeanSigma),
-    ("median-fit", TimeFormula::MedianFit),
-    ("median-mean", TimeFormula::MedianMean),
-];
 
 /// t by a formula, in mesh units squared; None where the formula says nothing about this mesh.
 fn time_step(mesh: &Mesh, formula: TimeFormula, scale: TimeScale) -> Option<f64> {
@@ -180,11 +172,13 @@ impl List {
 }
 
 fn findings(report: &MeshReport) -> [Finding; 9] {
-    let twisted: Vec<u32> =
-        (0..).zip(&report.components).filter(|(_, part)| !part.is_orientable).map(|(i, _)| i).collect();
     let finding = |name, list, meaning| Finding { name, list, meaning };
     [
-        finding("one-sided components", List::of(&twisted), "no choice of sides suits all their triangles"),
+        finding(
+            "one-sided components",
+            List::of(&report.nonorientable_components()),
+            "no choice of sides suits all their triangles",
+        ),
         finding(
             "non-manifold edges",
             List::edges(&report.nonmanifold_edges),

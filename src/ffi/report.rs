@@ -335,12 +335,11 @@ enum Findings {
 }
 
 fn findings(report: &MeshReport, finding: taut_finding) -> Result<Findings> {
-    let twisted = || (0..).zip(&report.components).filter(|(_, part)| !part.is_orientable).map(|(i, _)| i).collect();
     // A chain has fewer vertices than there are half-edges, so their number fits.
     let chains = || report.boundary_loops.iter().map(|c| [c.vertices.len() as u32, u32::from(c.is_closed)]).collect();
     Ok(match finding {
         TAUT_FINDING_COMPONENTS => Findings::Single(report.components.iter().map(|part| part.first_vertex).collect()),
-        TAUT_FINDING_NONORIENTABLE_COMPONENTS => Findings::Single(twisted()),
+        TAUT_FINDING_NONORIENTABLE_COMPONENTS => Findings::Single(report.nonorientable_components()),
         TAUT_FINDING_BOUNDARY_LOOPS => Findings::Pairs(chains()),
         TAUT_FINDING_NONMANIFOLD_EDGES => Findings::Pairs(report.nonmanifold_edges.clone()),
         TAUT_FINDING_NONMANIFOLD_VERTICES => Findings::Single(report.nonmanifold_vertices.clone()),

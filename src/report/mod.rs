@@ -87,7 +87,8 @@ impl MeshReport {
     #[must_use]
     pub fn new(mesh: &Mesh) -> MeshReport {
         let topology = mesh.topology();
-        let [smallest_angle, largest_angle] = properties::extreme_angles(mesh);
+        let positions = Scale::of(mesh).unit_positions(mesh);
+        let [smallest_angle, largest_angle] = properties::extreme_angles(mesh, &positions);
         let mut report = MeshReport {
             components: vec![],
             component_of: topology.component.clone(),
@@ -96,7 +97,7 @@ impl MeshReport {
             nonmanifold_vertices: nonmanifold_vertices(mesh),
             inconsistent_edges: edges_where(mesh, |row| agree(mesh, row) == Some(false)),
             repeated_index_faces: mesh.ignored_triangles().to_vec(),
-            zero_area_faces: zero_area_faces(mesh),
+            zero_area_faces: zero_area_faces(mesh, &positions),
             duplicate_faces: duplicate_faces(mesh),
             duplicate_vertices: duplicate_vertices(mesh),
             unreferenced_vertices: (0..)
@@ -109,6 +110,12 @@ impl MeshReport {
         };
         report.components = components(mesh, &report);
         report
+    }
+
+    /// The components that cannot be oriented, by their places in `components`.
+    #[must_use]
+    pub fn nonorientable_components(&self) -> Vec<u32> {
+        (0..).zip(&self.components).filter(|(_, part)| !part.is_orientable).map(|(i, _)| i).collect()
     }
 }
 
@@ -216,8 +223,7 @@ fn has_several_fans(mesh: &Mesh, v: u32) -> bool {
 }
 
 /// Triangles whose height is lost in the rounding of their coordinates.
-fn zero_area_faces(mesh: &Mesh) -> Vec<u32> {
-    let positions = Scale::of(mesh).unit_positions(mesh);
+fn zero_area_faces(mesh: &Mesh, positions: &[[f64; 3]]) -> Vec<u32> {
     let has_no_area = |triangle: [u32; 3]| {
         let [a, b, c] = triangle.map(|v| positions[v as usize]);
         let sides = [minus(b, a), minus(c, b), minus(a, c)];

@@ -76,8 +76,9 @@ impl Properties {
     pub fn of(mesh: &Mesh) -> Option<Properties> {
         let scale = Scale::of(mesh);
         let stats = EdgeStats::of(mesh, scale)?;
-        let [min_angle, max_angle] = extreme_angles(mesh);
-        let sorted = sorted(edge_lengths(mesh, &scale.unit_positions(mesh)).collect());
+        let positions = scale.unit_positions(mesh);
+        let [min_angle, max_angle] = extreme_angles(mesh, &positions);
+        let sorted = sorted(edge_lengths(mesh, &positions).collect());
         let [min, q1, q2, q3, max] = [0, 1, 2, 3, 4].map(|quarter| quartile(&sorted, quarter));
         let mean_deviation = sorted.iter().map(|e| (e - stats.mean).abs()).sum::<f64>() / sorted.len() as f64;
         let median_deviation = quartile(&self::sorted(sorted.iter().map(|e| (e - q2).abs()).collect()), 2);
@@ -100,7 +101,7 @@ impl Properties {
             quartile_deviation: length((q3 - q1) / 2.0),
             min_angle: min_angle?.radians,
             max_angle: max_angle?.radians,
-            anisotropy: anisotropy(mesh, scale),
+            anisotropy: anisotropy(mesh, &positions),
             paper_scale: scale.to_unit(stats.paper_scale()),
         })
     }
@@ -119,8 +120,7 @@ fn quartile(sorted: &[f64], quarter: usize) -> f64 {
 }
 
 /// The smallest and the largest interior angle; the first of equals.
-pub(super) fn extreme_angles(mesh: &Mesh) -> [Option<Angle>; 2] {
-    let positions = Scale::of(mesh).unit_positions(mesh);
+pub(super) fn extreme_angles(mesh: &Mesh, positions: &[[f64; 3]]) -> [Option<Angle>; 2] {
     let angles = used_triangles(mesh).flat_map(|(face, triangle)| {
         let corners = triangle.map(|v| positions[v as usize]);
         [0, 1, 2].map(|k| {
@@ -138,8 +138,7 @@ pub(super) fn extreme_angles(mesh: &Mesh) -> [Option<Angle>; 2] {
     })
 }
 
-fn anisotropy(mesh: &Mesh, scale: Scale) -> f64 {
-    let positions = scale.unit_positions(mesh);
+fn anisotropy(mesh: &Mesh, positions: &[[f64; 3]]) -> f64 {
     let ratio = |triangle: [u32; 3]| {
         let [a, b, c] = triangle.map(|v| positions[v as usize]);
         let lengths = [distance(a, b), distance(b, c), distance(c, a)];
