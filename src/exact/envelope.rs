@@ -5,8 +5,8 @@
 //! the overlap and at that point tell every change of sign; each root is then found inside a bracket whose signs are
 //! proven, and nothing is left to a failing formula.
 //!
-//! Two things are left alone, because they cost more than they save: overlaps that are small, and *crumbs*, windows so
-//! narrow that rounding made them.
+//! Small overlaps are left alone, because to find where they change hands costs more than it saves, and *crumbs*, windows
+//! so narrow that rounding made them, are dropped.
 //!
 //! n windows cost O(n log n) plus one comparison per overlap; what comes out is sorted.
 //!
@@ -20,31 +20,71 @@ use super::window::Window;
 
 /// Trims the windows of one half-edge in place; `height` is that of its triangle, `scratch` is overwritten.
 pub(crate) fn trim(windows: &mut Vec<Window>, height: f64, scratch: &mut Scratch) {
-    if windows.len() < 2 {
-        return;
-    }
-    if !windows.is_sorted_by(|a, b| a.b0 <= b.b0) {
-        windows.sort_by(|a, b| a.b0.total_cmp(&b.b0));
-    }
+    sort(windows, &mut scratch.kept);
     let Scratch { kept, pending } = scratch;
     kept.clear();
-    for &window in &*windows {
+    let mut sweep = Sweep { kept, pending, height, run: f64::NEG_INFINITY, end: f64::NEG_INFINITY };
+    for window in windows.iter() {
         // What begins before it comes first.
-        while let Some(rest) = pending.pop_if(|rest| rest.b0 <= window.b0) {
-            add(kept, pending, rest);
+        while let Some(cut) = sweep.pending.pop_if(|cut| cut.b0 <= window.b0) {
+            sweep.add(&cut);
         }
-        add(kept, pending, window);
+        sweep.add(window);
     }
-    while let Some(rest) = pending.pop() {
-        add(kept, pending, rest);
+    while let Some(cut) = sweep.pending.pop() {
+        sweep.add(&cut);
     }
-    drop_crumbs(kept, height);
+    sweep.settle_last();
     std::mem::swap(windows, kept);
 }
 
-/// Windows that overlap less than this share of the narrower one are both kept whole: to find where they change hands
-/// takes longer than to let them cross a triangle. On bunny this halves the time and adds 0.7 % to the windows.
-const WORTH_A_CUT: f64 = 0.5;
+/// Sorts windows by where they begin. They come in two sorted runs at most, one for each side of the triangle before,
+/// but for a few.
+fn sort(windows: &mut Vec<Window>, scratch: &mut Vec<Window>) {
+    let order = |a: &Window, b: &Window| a.b0 <= b.b0;
+    let Some(second) = windows.windows(2).position(|pair| pair[0].b0 > pair[1].b0) else { return };
+    let (mut left, mut right) = windows.split_at(second + 1);
+    if !right.is_sorted_by(order) {
+        return windows.sort_by(|a, b| a.b0.total_cmp(&b.b0));
+    }
+    scratch.clear();
+    while let (Some(a), Some(b)) = (left.first(), right.first()) {
+        let run = if order(a, b) { &mut left } else { &mut right };
+        scratch.push(run[0]);
+        *run = &run[1..];
+    }
+    scratch.extend_from_slice(left);
+    scratch.extend_from_slice(right);
+    std::mem::swap(windows, scratch);
+}
+
+/// What the ends of an edge tell about the windows on it.
+pub(crate) struct Limits {
+    /// The labels of the ends.
+    pub(crate) at_a: f64,
+    pub(crate) at_b: f64,
+    /// The length of the edge.
+    pub(crate) length: f64,
+    /// A window must be shorter than a path over an end by this share.
+    pub(crate) share: f64,
+}
+
+impl Limits {
+    /// Whether no path over an end is shorter at each point of the window: by the triangle inequality it is if it is at
+    /// the far end of the window.
+    pub(crate) fn let_pass(&self, w: &Window) -> bool {
+        let (over_a, over_b) = (self.at_a + w.b1, self.at_b + (self.length - w.b0));
+        let reaches = |x: f64, limit: f64| {
+            let (dx, left) = (x - w.sx, limit - w.sigma);
+            left >= 0.0 && dx * dx + w.sy * w.sy <= left * left
+        };
+        reaches(w.b1, over_a * self.share) && reaches(w.b0, over_b * self.share)
+    }
+}
+
+/// Windows that overlap no more than this share of the narrower one are both kept whole: to find where they change hands
+/// takes longer than to let them cross a triangle.
+const WORTH_A_CUT: f64 = 0.1;
 
 /// Buffers of [`trim`].
 #[derive(Debug, Default)]
@@ -55,87 +95,101 @@ pub(crate) struct Scratch {
     pending: Vec<Window>,
 }
 
-/// Adds a window that begins no earlier than any that was added before, so that it is enough to look at the last of the
-/// kept ones. What is cut off behind the first change of hands waits for its turn: windows may still come before it.
-fn add(kept: &mut Vec<Window>, pending: &mut Vec<Window>, new: Window) {
-    let Some(old) = kept.last_mut() else { return kept.push(new) };
-    if old.continues_in(&new) {
-        old.b1 = old.b1.max(new.b1);
-        return;
-    }
-    if old.b1 <= new.b0 {
-        return kept.push(new);
-    }
-    let old_end = old.b1;
-    let overlap = [new.b0, old_end.min(new.b1)];
-    let narrower = (old.b1 - old.b0).min(new.b1 - new.b0);
-    if overlap[1] - overlap[0] < WORTH_A_CUT * narrower {
-        kept.push(new);
-        return;
-    }
-    let mut later = |rest: Window| {
-        if rest.b0 < rest.b1 {
-            let place = pending.iter().rposition(|other| other.b0 >= rest.b0).map_or(0, |i| i + 1);
-            pending.insert(place, rest);
+/// Windows from left to right. All but the last that was added are final, so that it is enough to look at that one.
+struct Sweep<'a> {
+    kept: &'a mut Vec<Window>,
+    /// Parts that were cut off, the one that begins first at the end.
+    pending: &'a mut Vec<Window>,
+    height: f64,
+    /// Where the dropped neighbours of the next crumb begin, and where the last final window ended.
+    run: f64,
+    end: f64,
+}
+
+impl Sweep<'_> {
+    /// Adds a window that begins no earlier than any that was added before.
+    fn add(&mut self, new: &Window) {
+        let Some(old) = self.kept.last_mut() else { return self.kept.push(*new) };
+        if old.sigma == new.sigma && old.continues_in(new) {
+            old.b1 = larger(old.b1, new.b1);
+            return;
         }
-    };
-    match duel(old, &new, overlap, 0.0) {
-        Duel::Old => later(Window { b0: old_end, ..new }),
-        Duel::New => {
-            later(Window { b0: new.b1, ..*old });
+        let high = smaller(old.b1, new.b1);
+        let narrower = smaller(old.b1 - old.b0, new.b1 - new.b0);
+        if high - new.b0 > WORTH_A_CUT * narrower {
+            return self.share(*new, high);
+        }
+        self.settle_last();
+        self.kept.push(*new);
+    }
+
+    /// Shares out the overlap of the last window and the one that is added. What is cut off behind the first change of
+    /// hands waits for its turn: windows may still come before it.
+    fn share(&mut self, mut new: Window, high: f64) {
+        let Some(old) = self.kept.last_mut() else { return };
+        let Duel { is_new_first, root, until } = duel(old, &new, [new.b0, high], 0.0);
+        let cut = Window { b0: until, ..if is_new_first { new } else { *old } };
+        if is_new_first {
+            let rest = Window { b0: root, ..*old };
             old.b1 = new.b0;
-            if old.b0 >= old.b1 {
-                kept.pop();
-            }
-            kept.push(new);
-        }
-        Duel::OldThenNew { root, until } => {
-            later(Window { b0: until, ..*old });
+            self.settle_last();
+            new.b1 = root;
+            self.kept.push(new);
+            self.wait(rest);
+        } else {
             old.b1 = root;
-            later(Window { b0: root, ..new });
+            new.b0 = root;
+            self.wait(new);
         }
-        Duel::NewThenOld { root, until } => {
-            later(Window { b0: root, ..*old });
-            later(Window { b0: until, ..new });
-            old.b1 = new.b0;
-            if old.b0 >= old.b1 {
-                kept.pop();
-            }
-            kept.push(Window { b1: root, ..new });
+        self.wait(cut);
+    }
+
+    /// Lets what was cut off wait for its turn.
+    fn wait(&mut self, cut: Window) {
+        if cut.b0 < cut.b1 {
+            let place = self.pending.iter().rposition(|other| other.b0 >= cut.b0).map_or(0, |i| i + 1);
+            self.pending.insert(place, cut);
         }
     }
+
+    /// The last window is final. Drops it if it is empty or a crumb: so narrow that the path beside it is as short. Where
+    /// two windows touch, both are equally far and their difference grows only with the square of the way from there, so
+    /// rounding cuts them into ever more pieces: on bunny they were 1.1 of 2.6 million windows.
+    ///
+    /// A path over a dropped place bends at the nearest kept one, w away, instead. With r the distance from the edge of
+    /// the nearer end of its straight piece that makes it longer by w² / r at most, which must be below the rounding of d.
+    /// Dropped neighbours count as one.
+    fn settle_last(&mut self) {
+        let Some(w) = self.kept.last() else { return };
+        if w.b0 > self.end {
+            self.run = w.b0;
+        }
+        let width = w.b1 - smaller(self.run, w.b0);
+        // Most windows are far from it; the root is for the others.
+        let is_crumb = width < 1e-3 * self.height && {
+            let distance = w.distance(w.b1);
+            width * width <= ROUNDING * distance * smaller(self.height, distance - w.sigma) || w.b0 >= w.b1
+        };
+        self.end = w.b1;
+        if is_crumb {
+            self.kept.pop();
+        } else {
+            self.run = w.b1;
+        }
+    }
+}
+
+/// f64::min and f64::max also look for NaN, which no window has.
+fn smaller(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// The rounding of a distance, as a share.
 const ROUNDING: f64 = 1e-16;
-
-/// Drops windows so narrow that the path beside them is as short. Where two windows touch, both are equally far and their
-/// difference grows only with the square of the way from there, so rounding cuts them into ever more pieces: on bunny
-/// they were 1.1 of 2.6 million windows.
-///
-/// A path over a dropped place bends at the nearest kept one, w away, instead. With r the distance from the edge of the
-/// nearer end of its straight piece that makes it longer by w² / r at most, which must be below the rounding of d. Dropped
-/// neighbours count as one.
-fn drop_crumbs(windows: &mut Vec<Window>, height: f64) {
-    let mut run = f64::NEG_INFINITY; // where the dropped neighbours begin
-    let mut end = f64::NEG_INFINITY;
-    windows.retain(|w| {
-        if w.b0 > end {
-            run = w.b0;
-        }
-        end = w.b1;
-        let width = w.b1 - run;
-        // Most windows are far from it; the root is for the others.
-        let is_crumb = width < 1e-3 * height && {
-            let distance = w.distance(w.b1);
-            width * width <= ROUNDING * distance * height.min(distance - w.sigma)
-        };
-        if !is_crumb {
-            run = w.b1;
-        }
-        !is_crumb
-    });
-}
 
 /// What memory leaves of a window is dropped below this share of the window's width, or of its edge.
 const LEAST_REST: f64 = 1e-7;
@@ -226,55 +280,45 @@ impl Pieces {
 /// Shares out the overlap of two windows.
 fn contest(pieces: &mut Pieces, old: &Window, new: &Window, margin: f64) {
     let (mut low, high) = (old.b0.max(new.b0), old.b1.min(new.b1));
-    let mut give = |is_new: bool, from: f64, to: f64| pieces.push(if is_new { new } else { old }, is_new, from, to);
     while low < high {
-        match duel(old, new, [low, high], margin) {
-            Duel::Old => return give(false, low, high),
-            Duel::New => return give(true, low, high),
-            Duel::OldThenNew { root, until } => {
-                give(false, low, root);
-                give(true, root, until);
-                low = until;
-            }
-            Duel::NewThenOld { root, until } => {
-                give(true, low, root);
-                give(false, root, until);
-                low = until;
-            }
-        }
+        let Duel { is_new_first, root, until } = duel(old, new, [low, high], margin);
+        let [first, second] = if is_new_first { [new, old] } else { [old, new] };
+        pieces.push(first, is_new_first, low, root.min(high));
+        pieces.push(second, !is_new_first, root, until.min(high));
+        low = until;
     }
 }
 
-/// Who is nearer along an overlap: the old or the new window, or one up to a root and the other from there until some
-/// place. Where there are two changes of hands that place lies between them, else it is the end of the overlap.
-enum Duel {
-    Old,
-    New,
-    OldThenNew { root: f64, until: f64 },
-    NewThenOld { root: f64, until: f64 },
+/// Who is nearer along an overlap: one up to the root, and the other from there until some place. Where hands change once
+/// that place is the end of the overlap; where they do not change, the root is the end of the winner, and the place +inf.
+struct Duel {
+    is_new_first: bool,
+    root: f64,
+    until: f64,
 }
 
 /// To win, the new window must be nearer by the share `margin`.
+#[inline]
 fn duel(old: &Window, new: &Window, [low, high]: [f64; 2], margin: f64) -> Duel {
     let gain = |x: f64| old.distance(x) * (1.0 - margin) - new.distance(x);
     let (gain_low, gain_high) = (gain(low), gain(high));
-    let is_new = gain_low > 0.0;
+    let is_new_first = gain_low > 0.0;
     let change = |until: f64, gain_until: f64| {
         let root = crossing(old, new, [low, until], [gain_low, gain_until], margin);
-        if is_new { Duel::NewThenOld { root, until } } else { Duel::OldThenNew { root, until } }
+        Duel { is_new_first, root, until }
     };
-    if is_new != (gain_high > 0.0) {
+    if is_new_first != (gain_high > 0.0) {
         return change(high, gain_high);
     }
     // Seen under one angle: (x - s1x) / s1y = (x - s2x) / s2y.
     let stationary = (old.sx * new.sy - new.sx * old.sy) / (new.sy - old.sy);
     if low < stationary && stationary < high {
         let between = gain(stationary);
-        if is_new != (between > 0.0) {
+        if is_new_first != (between > 0.0) {
             return change(stationary, between);
         }
     }
-    if is_new { Duel::New } else { Duel::Old }
+    Duel { is_new_first, root: if is_new_first { new.b1 } else { old.b1 }, until: f64::INFINITY }
 }
 
 /// Where the gain of the new window over the old one changes its sign, to the rounding of the distances: Newton's steps

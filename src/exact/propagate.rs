@@ -9,7 +9,7 @@
 //!
 //! Before a list crosses (A, B the ends of its edge, C the apex)
 //! - a window is dropped if a path over A or over B is shorter at each of its points (Xin, Wang 2009);
-//! - the windows are trimmed against each other, [`envelope`](super::envelope);
+//! - the windows are trimmed against each other, [`envelope`](super::envelope), where they came over more than one edge;
 //! - p*, the point of AB on the shortest known path to C over this edge, splits the rest: a path that crosses AB left of
 //!   p* and goes to BC meets the segment from p* to C, and from there on is no shorter than the path over p*; so what
 //!   lies left of p* goes to AC only, what lies right of it to CB only. Each list of n windows throws n + 1 at most.
@@ -23,8 +23,8 @@
 //! propagation", ACM TOG 35 (2016).
 
 use super::Prepared;
-use super::charts::{Bend, SEVERAL};
-use super::envelope::{Memory, Scratch, trim};
+use super::charts::{Bend, Chart, SEVERAL};
+use super::envelope::{Limits, Memory, Scratch, trim};
 use super::window::{Entry, Turn, Window};
 use crate::control::Control;
 use crate::error::Result;
@@ -40,6 +40,8 @@ struct List {
     /// The shortest path to the apex over any window that arrived.
     entry: Entry,
     queued: bool,
+    /// How often windows arrived.
+    runs: u32,
 }
 
 /// The last straight piece of a path to a vertex: over the opposite half-edge h of one of its triangles, at this place.
@@ -73,7 +75,6 @@ pub(crate) struct Front<'a> {
     /// What crossed each half-edge of the triangles that remember.
     memory: HashMap<u32, Memory>,
     scratch: Scratch,
-    children: Vec<Window>,
     corners: Vec<(f64, u32)>,
     crossed: u64,
 }
@@ -99,7 +100,6 @@ impl<'a> Front<'a> {
             queue: VecDeque::new(),
             memory: HashMap::new(),
             scratch: Scratch::default(),
-            children: Vec::new(),
             corners: Vec::new(),
             crossed: 0,
         }
@@ -191,7 +191,7 @@ impl<'a> Front<'a> {
         for h in corners {
             let chart = solver.charts[next(h) as usize];
             let window = Window { b0: 0.0, b1: chart.length, sx: chart.tx, sy: chart.ty, sigma };
-            self.pass(next(h), chart.start, &[window]);
+            self.pass(next(h), chart.start, std::iter::once(window));
             if window.starts_on_edge(chart.length) {
                 self.pass_on(next(h), chart.start, window);
             }
@@ -210,11 +210,12 @@ impl<'a> Front<'a> {
                 let window = if solver.start(g) == origin { window } else { window.mirrored(length) };
                 if window.starts_on_edge(length) && !passed.contains(&g) {
                     passed.push(g);
-                    for side in solver.sides(g) {
-                        let mut children = Vec::new();
-                        side.throw(&[window], None, &mut children);
-                        self.pass(side.h, side.origin, &children);
-                        thrown.extend(children.into_iter().map(|child| (side.h, side.origin, child)));
+                    let [left, right] = solver.sides(g);
+                    let to_left = window.left_child(&left.turn, f64::INFINITY);
+                    let to_right = window.right_child(&right.turn, length, f64::NEG_INFINITY);
+                    for (side, child) in [(left, to_left), (right, to_right)] {
+                        self.pass(side.h, side.origin, child.into_iter());
+                        thrown.extend(child.map(|child| (side.h, side.origin, child)));
                     }
                 }
             }
@@ -273,24 +274,42 @@ impl<'a> Front<'a> {
     /// Puts windows, measured from the end `origin` of its edge, on the list of half-edge h and labels the apex. One that
     /// starts on the edge itself is not put there: it has come back to its own pseudo-source, which has thrown it beyond
     /// the edge already.
-    fn arrive(&mut self, h: u32, origin: u32, windows: &[Window]) {
+    fn arrive(&mut self, h: u32, origin: u32, windows: impl Iterator<Item = Window>) {
         let chart = self.solver.charts[h as usize];
         let apex = self.solver.start(prev(h));
-        let is_mirrored = self.solver.start(h) != origin;
+        let is_mirrored = chart.start != origin;
+        let seen = if is_mirrored { Chart { tx: chart.length - chart.tx, ..chart } } else { chart };
         let list = self.list_of(h);
+        let before = list.windows.len();
         let mut entry = Entry::default();
-        for i in 0..windows.len() {
-            // In the order of the list.
-            let window = if is_mirrored { windows[windows.len() - 1 - i].mirrored(chart.length) } else { windows[i] };
-            entry = entry.min(window.entry(&chart));
+        for window in windows {
+            entry = window.entry(&seen, entry);
             if !window.starts_on_edge(chart.length) {
                 list.windows.push(window);
             }
         }
+        if is_mirrored {
+            list.windows[before..].reverse();
+            list.windows[before..].iter_mut().for_each(|window| *window = window.mirrored(chart.length));
+            entry.at = chart.length - entry.at;
+        }
+        if entry.distance == f64::INFINITY {
+            return self.release(h);
+        }
         list.entry = list.entry.min(entry);
+        list.runs += 1;
         self.relax(apex, entry.distance, Arrival { h, at: entry.at });
         if self.is_settled(apex) {
             self.enqueue(h);
+        }
+    }
+
+    /// Takes the list from half-edge h if nothing waits there.
+    fn release(&mut self, h: u32) {
+        let id = self.waiting[h as usize];
+        if self.lists[id as usize].runs == 0 {
+            self.waiting[h as usize] = NONE;
+            self.free.push(id);
         }
     }
 
@@ -310,56 +329,51 @@ impl<'a> Front<'a> {
         let id = std::mem::replace(&mut self.waiting[h as usize], NONE);
         let list = &mut self.lists[id as usize];
         list.queued = false;
+        let runs = std::mem::take(&mut list.runs);
         let mut windows = std::mem::take(&mut list.windows);
         let entry = std::mem::take(&mut list.entry);
-        self.drop_dominated(h, &mut windows);
-        trim(&mut windows, self.solver.charts[h as usize].ty, &mut self.scratch);
-        if self.solver.remembers[(h / 3) as usize] {
-            let length = self.solver.charts[h as usize].length;
-            let memory = self.memory.entry(h).or_insert_with(|| Memory::new(length, TIE));
+        let solver = self.solver;
+        let chart = solver.charts[h as usize];
+        let limits = self.limits(h);
+        windows.retain(|window| limits.let_pass(window));
+        // What arrived at once came over one edge and was trimmed there, or before.
+        if runs > 1 {
+            trim(&mut windows, chart.ty, &mut self.scratch);
+        }
+        if solver.remembers[(h / 3) as usize] {
+            let memory = self.memory.entry(h).or_insert_with(|| Memory::new(chart.length, TIE));
             memory.keep_news(&mut windows, &mut self.scratch);
         }
         self.crossed += windows.len() as u64;
         let split = self.split_point(h, entry);
-        let mut children = std::mem::take(&mut self.children);
-        for side in self.solver.sides(h) {
-            side.throw(&windows, Some(split), &mut children);
-            self.pass(side.h, side.origin, &children);
-        }
-        self.children = children;
+        let [left, right] = solver.sides(h);
+        self.pass(left.h, left.origin, windows.iter().filter_map(|w| w.left_child(&left.turn, split)));
+        self.pass(
+            right.h,
+            right.origin,
+            windows.iter().filter_map(|w| w.right_child(&right.turn, chart.length, split)),
+        );
         windows.clear();
         self.lists[id as usize].windows = windows;
         self.free.push(id);
     }
 
     /// Lets windows that leave a triangle by half-edge h, measured from `origin`, arrive in the others on its edge.
-    fn pass(&mut self, h: u32, origin: u32, windows: &[Window]) {
-        if windows.is_empty() {
-            return;
-        }
+    fn pass(&mut self, h: u32, origin: u32, windows: impl Iterator<Item = Window> + Clone) {
         match self.solver.charts[h as usize].twin {
             NONE => {}
-            SEVERAL => self.solver.others(h).for_each(|g| self.arrive(g, origin, windows)),
+            SEVERAL => self.solver.others(h).for_each(|g| self.arrive(g, origin, windows.clone())),
             g => self.arrive(g, origin, windows),
         }
     }
 
-    /// Drops windows that a path over an end of the edge beats at each of their points: by the triangle inequality it
-    /// does if it does at the far end of the window. In a sliver, whose corners are pseudo-sources and throw such rays
-    /// themselves, a tie is enough: rays that graze the edge would wind around the sliver for ever.
-    fn drop_dominated(&self, h: u32, windows: &mut Vec<Window>) {
+    /// In a sliver, whose corners are pseudo-sources and throw such rays themselves, a tie with a path over an end of the
+    /// edge is enough to drop a window: rays that graze the edge would wind around the sliver for ever.
+    fn limits(&self, h: u32) -> Limits {
         let solver = self.solver;
         let [at_a, at_b] = [h, next(h)].map(|h| self.label[solver.start(h) as usize]);
-        let length = solver.charts[h as usize].length;
         let share = if solver.sliver[(h / 3) as usize] { 1.0 - TIE } else { 1.0 };
-        windows.retain(|w| {
-            let (over_a, over_b) = (at_a + w.b1, at_b + (length - w.b0));
-            let reaches = |x: f64, limit: f64| {
-                let (dx, left) = (x - w.sx, limit - w.sigma);
-                left >= 0.0 && dx * dx + w.sy * w.sy <= left * left
-            };
-            reaches(w.b1, over_a * share) && reaches(w.b0, over_b * share)
-        });
+        Limits { at_a, at_b, length: solver.charts[h as usize].length, share }
     }
 
     /// p*: where the shortest known path over this edge to the apex crosses it. The ends of the edge count too.
@@ -409,16 +423,10 @@ impl Prepared {
     /// The two sides by which windows on half-edge h leave its triangle.
     fn sides(&self, h: u32) -> [Side; 2] {
         let (to_start, to_end) = (prev(h), next(h));
-        let chart = self.charts[h as usize];
-        let [left, right] = [to_start, to_end].map(|side| self.charts[side as usize].length);
+        let [chart, left, right] = [h, to_start, to_end].map(|h| &self.charts[h as usize]);
         [
-            Side { h: to_start, origin: chart.start, turn: Turn::new(&chart, left), mirror: None },
-            Side {
-                h: to_end,
-                origin: self.start(to_end),
-                turn: Turn::mirrored(&chart, right),
-                mirror: Some(chart.length),
-            },
+            Side { h: to_start, origin: chart.start, turn: Turn::left(chart, left.length) },
+            Side { h: to_end, origin: left.start, turn: Turn::right(chart, right) },
         ]
     }
 }
@@ -426,27 +434,7 @@ impl Prepared {
 /// A side by which windows leave a triangle.
 struct Side {
     h: u32,
-    /// The end of the edge they came over, from which they are measured on this side.
+    /// The end of it from which they are measured there.
     origin: u32,
     turn: Turn,
-    /// The length of the edge they came over, where they are measured from its other end.
-    mirror: Option<f64>,
-}
-
-impl Side {
-    /// What sorted windows throw on this side, sorted; if there is a split, only what lies between it and the origin.
-    fn throw(&self, windows: &[Window], split: Option<f64>, children: &mut Vec<Window>) {
-        children.clear();
-        match self.mirror {
-            None => {
-                let limit = split.unwrap_or(f64::INFINITY);
-                children.extend(windows.iter().filter_map(|w| w.left_child(&self.turn, limit)));
-            }
-            Some(length) => {
-                let limit = split.map_or(f64::INFINITY, |split| length - split);
-                let mirrored = windows.iter().rev().map(|w| w.mirrored(length));
-                children.extend(mirrored.filter_map(|w| w.left_child(&self.turn, limit)));
-            }
-        }
-    }
 }

@@ -77,49 +77,76 @@ impl Window {
         self.sy <= near && -near <= self.sx && self.sx <= length + near
     }
 
-    /// Where the straight line from the pseudo-source to the apex meets the line of the edge.
-    pub(crate) fn aim(&self, chart: &Chart) -> f64 {
-        (self.sy * chart.tx + self.sx * chart.ty) / (self.sy + chart.ty)
-    }
-
-    /// The shortest path to the apex that crosses the window. Where the straight ray misses the window the path bends
-    /// at its nearer end: that is a real path all the same, and it closes the gaps that rounding leaves between windows.
-    pub(crate) fn entry(&self, chart: &Chart) -> Entry {
-        let aim = self.aim(chart);
-        let at = aim.max(self.b0).min(self.b1);
-        let beyond = if at == aim {
-            let (dx, dy) = (chart.tx - self.sx, chart.ty + self.sy);
-            self.sigma + (dx * dx + dy * dy).sqrt()
-        } else {
+    /// The shortest path to the apex that crosses the window, if it is shorter than `best`. Where the straight ray misses
+    /// the window the path bends at its nearer end: that is a real path all the same, and it closes the gaps that
+    /// rounding leaves between windows.
+    pub(crate) fn entry(&self, chart: &Chart, best: Entry) -> Entry {
+        let height = self.sy + chart.ty;
+        let dx = chart.tx - self.sx;
+        // Bent or not, it is no shorter than this.
+        let straight = self.sigma + (dx * dx + height * height).sqrt();
+        if straight >= best.distance {
+            return best;
+        }
+        // The straight line to the apex meets the line of the edge at cross / height.
+        let cross = self.sy * chart.tx + self.sx * chart.ty;
+        let bent = |at: f64| {
             let dx = chart.tx - at;
-            self.distance(at) + (dx * dx + chart.ty * chart.ty).sqrt()
+            best.min(Entry { distance: self.distance(at) + (dx * dx + chart.ty * chart.ty).sqrt(), at })
         };
-        Entry { distance: beyond, at }
+        if cross < self.b0 * height {
+            bent(self.b0)
+        } else if cross > self.b1 * height {
+            bent(self.b1)
+        } else {
+            Entry { distance: straight, at: cross / height }
+        }
     }
 
-    /// The window that this one throws, through the part of it before `limit`, on the side from the chart's start to
-    /// its apex; measured from the start. None where no ray arrives there.
+    /// The window that this one throws, through its part before `limit`, on the side from the chart's start to its apex;
+    /// measured from the start. None where no ray arrives there.
     ///
-    /// The ray through b meets the side at s = side·b·sy / (sy·tx - (b - sx)·ty). A ray through the apex ends at
-    /// exactly `side`, so that the windows to its left and right meet there in the same bits.
+    /// The ray through b meets the side at the share b·sy / (b·sy + c - b·(sy + ty)) of it, with c = sy·tx + sx·ty: the
+    /// twice-areas that the ray leaves to either side. A ray through the apex ends at exactly `side`, so that the windows
+    /// to its left and right meet there in the same bits.
     pub(crate) fn left_child(&self, turn: &Turn, limit: f64) -> Option<Window> {
-        let Turn { tx, ty, side, ux, uy } = *turn;
-        let cross = self.sy * tx + self.sx * ty;
-        // Through b < aim, where the straight line to the apex is: b (sy + ty) < cross.
-        let height = self.sy + ty;
-        let last = self.b1.min(limit);
+        let cross = self.sy * turn.tx + self.sx * turn.ty;
+        let height = self.sy + turn.ty;
+        let last = if limit < self.b1 { limit } else { self.b1 };
         if self.b0 >= last || self.b0 * height >= cross {
             return None;
         }
-        let hit = |b: f64| if b * height >= cross { side } else { (side * b * self.sy / (cross - b * ty)).min(side) };
+        let hit = |b: f64| {
+            let (near, far) = (b * self.sy, cross - b * height);
+            if far > 0.0 { turn.side * (near / (near + far)) } else { turn.side }
+        };
         let (b0, b1) = (hit(self.b0), hit(last));
-        let sx = self.sx * ux - self.sy * uy;
-        let sy = (self.sy * ux + self.sx * uy).max(0.0);
+        let [sx, sy] = turn.source(self.sx, self.sy);
         (b0 < b1).then_some(Window { b0, b1, sx, sy, sigma: self.sigma })
+    }
+
+    /// The window that this one throws, through its part beyond `limit`, on the side from the chart's apex to its end;
+    /// measured from the apex. `turn` is the mirrored one, of an edge of this length.
+    pub(crate) fn right_child(&self, turn: &Turn, length: f64, limit: f64) -> Option<Window> {
+        let sx = length - self.sx;
+        let cross = self.sy * turn.tx + sx * turn.ty;
+        let height = self.sy + turn.ty;
+        let first = if limit > self.b0 { limit } else { self.b0 };
+        if first >= self.b1 || (length - self.b1) * height >= cross {
+            return None;
+        }
+        let hit = |b: f64| {
+            let b = length - b;
+            let (near, far) = (b * self.sy, cross - b * height);
+            if far > 0.0 { turn.side * (far / (near + far)) } else { 0.0 }
+        };
+        let (b0, b1) = (hit(first), hit(self.b1));
+        let [sx, sy] = turn.source(sx, self.sy);
+        (b0 < b1).then_some(Window { b0, b1, sx: turn.side - sx, sy, sigma: self.sigma })
     }
 }
 
-/// From a chart to its side between start and apex.
+/// From a chart to its side between start and apex, or mirrored to that between end and apex.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Turn {
     /// The apex.
@@ -132,13 +159,20 @@ pub(crate) struct Turn {
 }
 
 impl Turn {
-    /// `side` is its length.
-    pub(crate) fn new(chart: &Chart, side: f64) -> Turn {
-        Turn { tx: chart.tx, ty: chart.ty, side, ux: chart.tx / side, uy: chart.ty / side }
+    /// `left` is the length of the side between start and apex.
+    pub(crate) fn left(chart: &Chart, left: f64) -> Turn {
+        Turn { tx: chart.tx, ty: chart.ty, side: left, ux: chart.tx / left, uy: chart.ty / left }
     }
 
-    /// From the chart as it lies from its other end.
-    pub(crate) fn mirrored(chart: &Chart, side: f64) -> Turn {
-        Turn::new(&Chart { tx: chart.length - chart.tx, ..*chart }, side)
+    /// `right` is the chart of the half-edge from end to apex: its own tx keeps the digits that length - tx loses.
+    pub(crate) fn right(chart: &Chart, right: &Chart) -> Turn {
+        let (ux, uy) = (right.tx / chart.length, right.ty / chart.length);
+        Turn { tx: ux * right.length, ty: chart.ty, side: right.length, ux, uy }
+    }
+
+    /// Where a source lies along the side, and how far behind it.
+    fn source(&self, sx: f64, sy: f64) -> [f64; 2] {
+        let behind = sy * self.ux + sx * self.uy;
+        [sx * self.ux - sy * self.uy, if behind > 0.0 { behind } else { 0.0 }]
     }
 }
