@@ -55,6 +55,13 @@ pub(crate) struct Scratch {
     pending: Vec<Window>,
 }
 
+impl Scratch {
+    /// For how many windows memory is taken.
+    pub(crate) fn capacity(&self) -> usize {
+        self.kept.capacity() + self.pending.capacity()
+    }
+}
+
 /// Adds a window that begins no earlier than any that was added before, so that it is enough to look at the last of the
 /// kept ones. What is cut off behind the first change of hands waits for its turn: windows may still come before it.
 fn add(kept: &mut Vec<Window>, pending: &mut Vec<Window>, new: Window) {
@@ -153,6 +160,11 @@ impl Memory {
     /// Nothing yet, on an edge of this length. Paths are equal if they differ by the share `tie`.
     pub(crate) fn new(length: f64, tie: f64) -> Memory {
         Memory { windows: Vec::new(), least: LEAST_WIDTH * length, margin: tie }
+    }
+
+    /// For how many windows memory is taken.
+    pub(crate) fn capacity(&self) -> usize {
+        self.windows.capacity()
     }
 
     /// Keeps of the windows what is shorter than anything remembered, and remembers it.

@@ -70,7 +70,11 @@ pub unsafe extern "C" fn taut_exact_field_new(
             let options = read_sized(options, "options")?;
             (self::sources(sources)?, vertices(options.targets, "options.targets", Element::Target)?)
         };
-        Ok(taut_exact_field(exact.0.field(&sources, &ExactOptions { targets }, &control_or_new(control))?))
+        Ok(taut_exact_field(exact.0.field(
+            &sources,
+            &ExactOptions { targets, ..ExactOptions::default() },
+            &control_or_new(control),
+        )?))
     };
     // SAFETY: the header asks for a writable `out`.
     unsafe { guard_new(out, body) }
