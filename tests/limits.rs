@@ -1,5 +1,8 @@
 //! Work that ends early: a radius, cancellation, a time limit, a memory limit; and what is known by then.
 
+mod common;
+
+use common::corpus;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -90,6 +93,23 @@ fn a_radius_cuts_exactly_there() {
         }
         let part = case.field(&within(most), &Control::new()).unwrap();
         assert_eq!(part, full, "{}: the radius leaves nothing out", case.name);
+    }
+}
+
+#[test]
+fn a_radius_changes_no_bit_on_bad_meshes() {
+    let Some(folder) = corpus() else { return };
+    for name in ["mpi_near_degenerate.off", "klingon_starship.off", "boeing_soup.off", "truck_nm.obj", "louvre_cad.obj"]
+    {
+        let case = Case::new(name, Mesh::read(folder.join(name)).unwrap(), &[(0, 0.0), (50, 0.1)]);
+        let full = case.full();
+        let mut radii: Vec<f64> = full.distances().iter().copied().filter(|d| d.is_finite()).collect();
+        radii.sort_by(f64::total_cmp);
+        for &radius in radii.iter().step_by(1 + radii.len() / 50) {
+            let part = case.field(&within(radius), &Control::new()).unwrap();
+            assert!(part.final_radius() >= radius, "{name}, radius {radius}");
+            assert_part(&part, &full, &format!("{name}, radius {radius}"));
+        }
     }
 }
 
@@ -255,7 +275,7 @@ fn a_time_limit_ends_the_work_soon_after() {
         control.set_time_limit(limit);
         let result = case.field(&ExactOptions { allow_partial, ..ExactOptions::default() }, &control);
         let elapsed = start.elapsed();
-        assert!(elapsed >= limit && elapsed < limit + Duration::from_millis(500), "{elapsed:?}");
+        assert!(elapsed >= limit && elapsed < limit + Duration::from_secs(2), "{elapsed:?}");
         match result {
             Ok(part) => {
                 assert!(allow_partial && part.final_radius() < f64::INFINITY);

@@ -97,8 +97,8 @@ impl ExactSolver {
 
     /// The distance of every vertex from the nearest of `sources`, each with its start distance.
     ///
-    /// Progress counts settled vertices. The control is consulted every few thousand windows, which take less than a
-    /// millisecond. Its memory limit counts 32 bytes a vertex and 12 a triangle, which are taken before the first look
+    /// Progress counts settled vertices. The control is consulted every few thousand windows, about a millisecond
+    /// apart. Its memory limit counts 32 bytes a vertex and 12 a triangle, which are taken before the first look
     /// at it, and the windows of the moving front.
     ///
     /// # Errors
