@@ -118,8 +118,8 @@ impl<'a> Front<'a> {
             if !self.is_open(v) {
                 continue;
             }
-            let nearest = self.open(f64::from_bits(key), v);
-            if stop.is_met(nearest.distance, &self.label, || self.all_open(nearest)) {
+            let nearest = (f64::from_bits(key), v);
+            if stop.is_met(nearest.0, &self.label, || self.all_open(nearest)) {
                 control.report(1.0);
                 return (rho(self.all_open(nearest)), Ok(()));
             }
@@ -148,16 +148,14 @@ impl<'a> Front<'a> {
         self.label[v as usize] < self.settled[v as usize] * (1.0 - TIE)
     }
 
-    fn open(&self, distance: f64, v: u32) -> Open {
-        let charts = &self.solver.charts;
-        let edges = self.solver.mesh.topology().corners.row(v).iter().flat_map(|&h| [h, prev(h)]);
-        Open { distance, reach: edges.map(|h| charts[h as usize].length).fold(0.0, f64::max) }
-    }
-
-    /// The vertices of the heap, and the one that was last taken from it.
-    fn all_open(&self, nearest: Open) -> impl Iterator<Item = Open> {
-        let waiting = self.heap.iter().filter(|&&Reverse((_, v))| self.is_open(v));
-        waiting.map(|&Reverse((key, v))| self.open(f64::from_bits(key), v)).chain([nearest])
+    /// The vertices of the heap, and the one that was last taken from it, each with its distance.
+    fn all_open(&self, nearest: (f64, u32)) -> impl Iterator<Item = Open> {
+        let heap = self.heap.iter().map(|&Reverse((key, v))| (f64::from_bits(key), v));
+        heap.filter(|&(_, v)| self.is_open(v)).chain([nearest]).map(|(distance, v)| {
+            let charts = &self.solver.charts;
+            let edges = self.solver.mesh.topology().corners.row(v).iter().flat_map(|&h| [h, prev(h)]);
+            Open { distance, reach: edges.map(|h| charts[h as usize].length).fold(0.0, f64::max) }
+        })
     }
 
     /// The memory in use, beyond what the solver has.

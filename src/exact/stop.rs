@@ -109,8 +109,7 @@ impl<'a> Stop<'a> {
     }
 }
 
-/// The control is consulted whenever this many windows and lists have crossed or been settled: a fraction of a
-/// millisecond.
+/// The control is consulted whenever this many windows and lists have crossed: a fraction of a millisecond.
 const CHECK_EVERY: u64 = 4096;
 
 /// Consults the control: often enough for people, seldom enough to cost nothing.
