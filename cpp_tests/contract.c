@@ -2,6 +2,7 @@
 #include "taut.h"
 
 #include <math.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -77,10 +78,10 @@ static void versions_and_names(void) {
     CHECK(strcmp(taut_version(), version) == 0);
     CHECK(taut_abi() == TAUT_ABI);
     CHECK(strcmp(taut_status_name(TAUT_STATUS_INVALID_MESH), "invalid mesh") == 0);
-    for (int32_t status = TAUT_STATUS_OK; status <= TAUT_STATUS_INTERNAL; status++)
+    for (int32_t status = TAUT_STATUS_OK; status <= TAUT_STATUS_LIMIT_REACHED; status++)
         CHECK(strcmp(taut_status_name(status), "unknown") != 0);
     CHECK(strcmp(taut_status_name(-1), "unknown") == 0);
-    CHECK(strcmp(taut_status_name(TAUT_STATUS_INTERNAL + 1), "unknown") == 0);
+    CHECK(strcmp(taut_status_name(TAUT_STATUS_LIMIT_REACHED + 1), "unknown") == 0);
 }
 
 static void errors_stay_until_the_next(void) {
@@ -132,6 +133,10 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_heat_distances(NULL, &from_zero, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_time_step_value(NULL, step, &t), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_control_new(NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_control_set_time_limit(NULL, 1), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_control_set_memory_limit(NULL, 1), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_control_set_callback(NULL, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_field_interruption(NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_isolines_new(NULL, values, values, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(curves == NULL);
     CHECK_FAILS(taut_curves_offsets(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -439,6 +444,229 @@ static void cancelled_before_the_start(void) {
     taut_mesh_free(mesh);
 }
 
+static void a_radius(void) {
+    taut_exact *exact = exact_rectangle();
+    taut_exact_field *field = NULL;
+    double d[5];
+    taut_exact_options options = {.struct_size = sizeof options, .radius = 4};
+    CHECK(taut_exact_field_new(exact, &from_zero, &options, NULL, &field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_final_radius(field) == 4 && taut_exact_field_interruption(field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_distances(field, (taut_output){.data = d, .count = 5}) == TAUT_STATUS_OK);
+    CHECK(d[0] == 0 && d[1] == 3 && d[2] == INFINITY && d[3] == 4 && d[4] == INFINITY);
+    taut_exact_field_free(field);
+    options.struct_size = offsetof(taut_exact_options, radius); /* an older caller */
+    CHECK(taut_exact_field_new(exact, &from_zero, &options, NULL, &field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_final_radius(field) == INFINITY);
+    taut_exact_field_free(field);
+
+    options = (taut_exact_options){.struct_size = sizeof options, .radius = -1};
+    CHECK_FAILS(taut_exact_field_new(exact, &from_zero, &options, NULL, &field), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    options.radius = NAN;
+    CHECK_FAILS(taut_exact_field_new(exact, &from_zero, &options, NULL, &field), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    options = (taut_exact_options){.struct_size = sizeof options, .allow_partial = 2};
+    CHECK_FAILS(taut_exact_field_new(exact, &from_zero, &options, NULL, &field), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    options = (taut_exact_options){.struct_size = sizeof options, .reserved = 1};
+    CHECK_FAILS(taut_exact_field_new(exact, &from_zero, &options, NULL, &field), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(field == NULL);
+    taut_exact_free(exact);
+}
+
+/* Hills of SQUARES by SQUARES, on which the exact method works for a while. */
+enum { SQUARES = 300, HILL_VERTICES = (SQUARES + 1) * (SQUARES + 1) };
+
+static taut_mesh *hills(void) {
+    double *points = malloc(sizeof *points * 3 * HILL_VERTICES);
+    uint32_t *sides = malloc(sizeof *sides * 6 * SQUARES * SQUARES);
+    uint32_t v = 0;
+    size_t corner = 0;
+    for (uint32_t j = 0; j <= SQUARES; j++) {
+        for (uint32_t i = 0; i <= SQUARES; i++, v++) {
+            points[3 * v] = i;
+            points[3 * v + 1] = j;
+            points[3 * v + 2] = 3 * sin(0.3 * i + 0.1 * j) * cos(0.2 * j - 0.05 * i);
+            if (i == SQUARES || j == SQUARES) continue;
+            const uint32_t up = v + SQUARES + 1, square[] = {v, v + 1, up, v + 1, up + 1, up};
+            for (size_t k = 0; k < 6; k++) sides[corner++] = square[k];
+        }
+    }
+    taut_mesh *mesh = NULL;
+    CHECK(taut_mesh_new((taut_input){.data = points, .count = HILL_VERTICES},
+                        (taut_input){.data = sides, .count = 2 * SQUARES * SQUARES}, &mesh) == TAUT_STATUS_OK);
+    free(points);
+    free(sides);
+    return mesh;
+}
+
+/* A long call, made on a thread of its own or of the caller. */
+typedef struct {
+    const taut_exact *exact;
+    taut_control *control;
+    uint32_t allow_partial;
+    taut_status status;
+    taut_exact_field *field;
+    pthread_t thread;
+} job;
+
+static void *work(void *user) {
+    job *it = user;
+    taut_exact_options options = {.struct_size = sizeof options, .allow_partial = it->allow_partial};
+    it->thread = pthread_self();
+    it->status = taut_exact_field_new(it->exact, &from_zero, &options, it->control, &it->field);
+    return NULL;
+}
+
+static job new_job(const taut_exact *exact, uint32_t allow_partial) {
+    job it = {.exact = exact, .allow_partial = allow_partial, .status = TAUT_STATUS_INTERNAL};
+    CHECK(taut_control_new(&it.control) == TAUT_STATUS_OK);
+    return it;
+}
+
+/* The call ended with `why`, or with a part of the distances if it may; frees what it has. */
+static void check_interrupted(job *it, taut_status why) {
+    static double d[HILL_VERTICES];
+    if (!it->allow_partial) {
+        CHECK(it->status == why && it->field == NULL);
+    } else {
+        double radius = taut_exact_field_final_radius(it->field);
+        size_t known = 0;
+        CHECK(it->status == TAUT_STATUS_OK && taut_exact_field_interruption(it->field) == why);
+        CHECK(radius < INFINITY);
+        CHECK(taut_exact_field_distances(it->field, (taut_output){.data = d, .count = HILL_VERTICES}) == TAUT_STATUS_OK);
+        for (size_t v = 0; v < HILL_VERTICES; v++) {
+            CHECK(d[v] <= radius || d[v] == INFINITY);
+            known += d[v] < INFINITY;
+        }
+        CHECK(known < HILL_VERTICES && (known > 0) == (radius >= 0));
+    }
+    taut_exact_field_free(it->field);
+    taut_control_free(it->control);
+}
+
+/* What a callback has seen. */
+typedef struct {
+    int calls;
+    int cancel_at; /* 0: never */
+    pthread_t thread;
+    bool on_one_thread;
+    double progress;
+} witness;
+
+static int watch(double progress, void *user) {
+    witness *it = user;
+    if (it->calls++ == 0) {
+        it->thread = pthread_self();
+        it->on_one_thread = true;
+    }
+    it->on_one_thread = it->on_one_thread && pthread_equal(it->thread, pthread_self());
+    CHECK(progress >= it->progress && progress <= 1);
+    it->progress = progress;
+    return it->calls == it->cancel_at ? -7 : 0;
+}
+
+static void callbacks(const taut_exact *exact) {
+    /* On the thread of the call, which is not that of the control. */
+    witness seen = {0};
+    job it = new_job(exact, 0);
+    pthread_t thread;
+    CHECK(taut_control_set_callback(it.control, watch, &seen) == TAUT_STATUS_OK);
+    CHECK(pthread_create(&thread, NULL, work, &it) == 0 && pthread_join(thread, NULL) == 0);
+    CHECK(it.status == TAUT_STATUS_OK && taut_exact_field_final_radius(it.field) == INFINITY);
+    CHECK(seen.calls > 10 && seen.progress == 1 && seen.on_one_thread && pthread_equal(seen.thread, it.thread));
+    taut_exact_field_free(it.field);
+    taut_control_free(it.control);
+
+    for (uint32_t allow_partial = 0; allow_partial <= 1; allow_partial++) {
+        seen = (witness){.cancel_at = 10};
+        it = new_job(exact, allow_partial);
+        CHECK(taut_control_set_callback(it.control, watch, &seen) == TAUT_STATUS_OK);
+        work(&it);
+        CHECK(seen.calls == 10 && taut_control_is_cancelled(it.control));
+        check_interrupted(&it, TAUT_STATUS_CANCELLED);
+    }
+
+    /* Taken away again. */
+    seen = (witness){0};
+    it = new_job(exact, 0);
+    CHECK(taut_control_set_callback(it.control, watch, &seen) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_callback(it.control, NULL, NULL) == TAUT_STATUS_OK);
+    work(&it);
+    CHECK(it.status == TAUT_STATUS_OK && seen.calls == 0);
+    taut_exact_field_free(it.field);
+    taut_control_free(it.control);
+}
+
+static void cancelled_from_another_thread(const taut_exact *exact) {
+    for (uint32_t allow_partial = 0; allow_partial <= 1; allow_partial++) {
+        job it = new_job(exact, allow_partial);
+        pthread_t thread;
+        CHECK(pthread_create(&thread, NULL, work, &it) == 0);
+        while (taut_control_progress(it.control) < 0.05) continue;
+        taut_control_cancel(it.control);
+        CHECK(pthread_join(thread, NULL) == 0);
+        check_interrupted(&it, TAUT_STATUS_CANCELLED);
+    }
+}
+
+static void limits(const taut_exact *exact) {
+    for (uint32_t allow_partial = 0; allow_partial <= 1; allow_partial++) {
+        job it = new_job(exact, allow_partial);
+        CHECK(taut_control_set_time_limit(it.control, 0.01) == TAUT_STATUS_OK);
+        work(&it);
+        CHECK(allow_partial || last_is(TAUT_REASON_TIME_LIMIT, 0, 0));
+        check_interrupted(&it, TAUT_STATUS_LIMIT_REACHED);
+
+        it = new_job(exact, allow_partial);
+        CHECK(taut_control_set_memory_limit(it.control, 1) == TAUT_STATUS_OK);
+        work(&it);
+        CHECK(allow_partial || last_is(TAUT_REASON_MEMORY_LIMIT, 0, 0));
+        check_interrupted(&it, TAUT_STATUS_LIMIT_REACHED);
+    }
+
+    /* 0 takes a limit away. */
+    job it = new_job(exact, 0);
+    CHECK(taut_control_set_time_limit(it.control, 1e-9) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_time_limit(it.control, 0) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_memory_limit(it.control, 1) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_memory_limit(it.control, 0) == TAUT_STATUS_OK);
+    CHECK_FAILS(taut_control_set_time_limit(it.control, -1), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_control_set_time_limit(it.control, NAN), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    work(&it);
+    CHECK(it.status == TAUT_STATUS_OK && taut_exact_field_interruption(it.field) == TAUT_STATUS_OK);
+    taut_exact_field_free(it.field);
+    CHECK(taut_control_set_time_limit(it.control, INFINITY) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_time_limit(it.control, 1e300) == TAUT_STATUS_OK);
+    work(&it);
+    CHECK(it.status == TAUT_STATUS_OK);
+    taut_exact_field_free(it.field);
+    taut_control_free(it.control);
+}
+
+static void heat_is_interrupted(const taut_mesh *mesh) {
+    taut_heat *heat = NULL;
+    taut_control *late = NULL, *watched = NULL;
+    witness seen = {.cancel_at = 3};
+    CHECK(taut_control_new(&late) == TAUT_STATUS_OK && taut_control_new(&watched) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_time_limit(late, 1e-9) == TAUT_STATUS_OK);
+    CHECK_FAILS(taut_heat_new(mesh, NULL, late, &heat), TAUT_REASON_TIME_LIMIT, 0, 0);
+    CHECK(taut_control_set_callback(watched, watch, &seen) == TAUT_STATUS_OK);
+    CHECK_FAILS(taut_heat_new(mesh, NULL, watched, &heat), TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(heat == NULL && seen.calls == 3);
+    taut_control_free(watched);
+    taut_control_free(late);
+}
+
+static void long_calls(void) {
+    taut_mesh *mesh = hills();
+    taut_exact *exact = NULL;
+    CHECK(taut_exact_new(mesh, &exact) == TAUT_STATUS_OK);
+    callbacks(exact);
+    cancelled_from_another_thread(exact);
+    limits(exact);
+    heat_is_interrupted(mesh);
+    taut_exact_free(exact);
+    taut_mesh_free(mesh);
+}
+
 static taut_status heat_with(const taut_mesh *mesh, const taut_heat_options *options, double *d) {
     taut_heat *heat = NULL;
     taut_status status = taut_heat_new(mesh, options, NULL, &heat);
@@ -728,6 +956,8 @@ int main(void) {
     sources();
     targets();
     cancelled_before_the_start();
+    a_radius();
+    long_calls();
     heat_options();
     time_steps();
     exact_distances();

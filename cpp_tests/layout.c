@@ -42,9 +42,12 @@ FIELD(taut_heat_options, shift, 44);
 FIELD(taut_heat_options, solver, 48);
 FIELD(taut_heat_options, reserved, 52);
 
-SIZE(taut_exact_options, 40);
+SIZE(taut_exact_options, 56);
 FIELD(taut_exact_options, struct_size, 0);
 FIELD(taut_exact_options, targets, 8);
+FIELD(taut_exact_options, radius, 40);
+FIELD(taut_exact_options, allow_partial, 48);
+FIELD(taut_exact_options, reserved, 52);
 
 SIZE(taut_error, 32);
 FIELD(taut_error, struct_size, 0);

@@ -36,9 +36,13 @@
  * NULL. A pointer may be NULL only where its description says so; elsewhere NULL is an error, not a crash. Freeing NULL
  * is fine. A buffer of 0 rows may have data NULL.
  *
- * Threads. Handles never change once they are made: any number of threads may use one at once, and results do not
- * depend on it. Only freeing needs care: no other call may be using the handle. No thread of the library outlives a
- * call, and none calls functions of yours.
+ * Threads. Handles never change once they are made, but for taut_control: any number of threads may use one at once,
+ * and results do not depend on it. Only freeing needs care: no other call may be using the handle. No thread of the
+ * library outlives a call, and none calls a function of yours: a callback runs on the thread that made the call.
+ *
+ * Limits. A call that takes a taut_control consults it now and then, as its description says: it tells its progress,
+ * and ends there if it was cancelled or has reached a limit of time or memory. Then it writes nothing, unless its
+ * options let it succeed with a part (allow_partial). The clock starts when the limit is set.
  *
  * Units. Coordinates, distances and start distances are in mesh units, a time step in mesh units squared, progress is
  * in [0, 1]. Indices count from 0.
@@ -94,6 +98,8 @@ enum taut_status
     TAUT_STATUS_TOO_LARGE = 8,
     /** A defect of the library; please report it. */
     TAUT_STATUS_INTERNAL = 9,
+    /** The work reached a limit that the caller set. */
+    TAUT_STATUS_LIMIT_REACHED = 10,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -145,6 +151,10 @@ enum taut_reason
     TAUT_REASON_NOT_POSITIVE_DEFINITE = 60,
     /** The caller cancelled. */
     TAUT_REASON_CANCELLED = 70,
+    /** The time limit of the control is over. */
+    TAUT_REASON_TIME_LIMIT = 71,
+    /** The work uses more memory than the control allows. */
+    TAUT_REASON_MEMORY_LIMIT = 72,
     /** More vertices, faces or half-edges than 32-bit indices address. */
     TAUT_REASON_TOO_MANY_ELEMENTS = 80,
     /** An allocation failed. */
@@ -189,7 +199,7 @@ typedef int32_t taut_element;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-/** Watches and cancels one long call from any thread. */
+/** Watches, limits and cancels a long call from any thread. */
 typedef struct taut_control taut_control;
 
 /**
@@ -230,6 +240,12 @@ typedef struct {
     /** Which one: counted from 0, a line from 1; 0 where `element` is `TAUT_ELEMENT_NONE`. */
     uint64_t index;
 } taut_error;
+
+/**
+ * A function of yours that is told the progress, in [0, 1], and whatever `user` points to. It returns 0 to go on; any
+ * other number cancels the call. It must return: no exception, no `longjmp`.
+ */
+typedef int (*taut_callback)(double progress, void *user);
 
 /** Element type of a buffer; 0 means `double` where real numbers are asked for and `uint32_t` where indices are. */
 typedef uint32_t taut_type;
@@ -495,6 +511,18 @@ typedef struct {
      * None means every vertex.
      */
     taut_input targets;
+    /**
+     * The largest distance wanted, start distances included, in mesh units, not negative; vertices that are farther get
+     * +INFINITY, and the work stops when all others are final. 0 means no limit, as does +INFINITY.
+     */
+    double radius;
+    /**
+     * 1: work that is cancelled or reaches a limit of its control succeeds with the distances that are final by then,
+     * up to `taut_exact_field_final_radius`. 0: it fails.
+     */
+    uint32_t allow_partial;
+    /** 0. */
+    uint32_t reserved;
 } taut_exact_options;
 
 #ifdef __cplusplus
@@ -541,7 +569,8 @@ const char *taut_status_name(int32_t status);
 const char *taut_last_error(taut_error *detail);
 
 /**
- * Makes a control, at progress 0 and not cancelled. Use a new one for each call.
+ * Makes a control, at progress 0, not cancelled, without limits or callback. Use a new one for each call, or one for
+ * several calls that share a limit.
  *
  * - `out`: receives the control; free it with `taut_control_free` once the call that uses it has returned.
  *
@@ -550,7 +579,8 @@ const char *taut_last_error(taut_error *detail);
 taut_status taut_control_new(taut_control **out);
 
 /**
- * Asks the call that uses the control to stop: at its next check it returns TAUT_STATUS_CANCELLED and writes nothing.
+ * Asks the call that uses the control to stop: at its next check it returns TAUT_STATUS_CANCELLED and writes nothing,
+ * or succeeds with what is final by then if its options set `allow_partial`.
  *
  * - `control`: not NULL.
  *
@@ -561,7 +591,7 @@ taut_status taut_control_new(taut_control **out);
 void taut_control_cancel(const taut_control *control);
 
 /**
- * Tells whether `taut_control_cancel` was called.
+ * Tells whether `taut_control_cancel` was called or a callback has cancelled.
  *
  * - `control`: not NULL.
  *
@@ -577,6 +607,47 @@ bool taut_control_is_cancelled(const taut_control *control);
  * Returns 0 if `control` is NULL. Cost: O(1). Threads: any.
  */
 double taut_control_progress(const taut_control *control);
+
+/**
+ * Limits the time: from now on this many seconds. A call that uses the control then returns
+ * TAUT_STATUS_LIMIT_REACHED at its next check, with TAUT_REASON_TIME_LIMIT, and writes nothing, unless its options set
+ * `allow_partial`.
+ *
+ * - `control`: not NULL.
+ * - `seconds`: not negative; 0 means no limit, as does +INFINITY.
+ *
+ * A later limit takes the place of an earlier one, also while a call runs.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT where `seconds` is negative or NaN. Cost: O(1). Threads: any.
+ */
+taut_status taut_control_set_time_limit(const taut_control *control, double seconds);
+
+/**
+ * Limits the memory that a call takes beyond its mesh and what was prepared. At its next check beyond the limit it
+ * returns TAUT_STATUS_LIMIT_REACHED with TAUT_REASON_MEMORY_LIMIT, and writes nothing, unless its options set
+ * `allow_partial`.
+ *
+ * - `control`: not NULL.
+ * - `bytes`: 0 means no limit.
+ *
+ * Only `taut_exact_field_new` counts its memory; to other calls this makes no difference.
+ *
+ * Errors: `control` is NULL. Cost: O(1). Threads: any.
+ */
+taut_status taut_control_set_memory_limit(const taut_control *control, size_t bytes);
+
+/**
+ * Lets a call that uses the control tell its progress at each of its checks, to a function of yours, on the thread that
+ * makes the call and no other.
+ *
+ * - `control`: not NULL.
+ * - `callback`: may use the control; it is not called again while it runs. NULL means none.
+ * - `user`: handed to the callback as it is; may be NULL. It must stay valid until the callback is replaced or the
+ *   control freed, and no call uses the control any more.
+ *
+ * Errors: `control` is NULL. Cost: O(1). Threads: any.
+ */
+taut_status taut_control_set_callback(const taut_control *control, taut_callback callback, void *user);
 
 /** Frees a control; NULL is fine. */
 void taut_control_free(taut_control *control);
@@ -791,12 +862,13 @@ taut_status taut_time_step_value(const taut_mesh *mesh, taut_time_step time_step
  *
  * - `mesh`: not NULL; it may be freed afterwards.
  * - `options`: NULL means the default.
- * - `control`: progress and cancellation, or NULL.
+ * - `control`: progress, cancellation and a time limit, or NULL.
  * - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
  *
  * Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_MISSING_FEATURE,
- * TAUT_REASON_NOT_POSITIVE_DEFINITE, TAUT_REASON_CANCELLED. Cost: two sparse Cholesky factorisations, about O(V^1.5)
- * time and O(V log V) memory. Threads: any. Cancelled between its steps, not inside a factorisation.
+ * TAUT_REASON_NOT_POSITIVE_DEFINITE, TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: two sparse Cholesky
+ * factorisations, about O(V^1.5) time and O(V log V) memory. Threads: any. The control is consulted between the
+ * steps, not inside a factorisation.
  */
 taut_status taut_heat_new(const taut_mesh *mesh,
                           const taut_heat_options *options,
@@ -808,12 +880,12 @@ taut_status taut_heat_new(const taut_mesh *mesh,
  *
  * - `heat`: not NULL; it stays as it is and may be freed before the new one.
  * - `time_step`: all zero means the default, not that of `heat`.
- * - `control`: progress and cancellation, or NULL.
+ * - `control`: progress, cancellation and a time limit, or NULL.
  * - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
  *
  * Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_NOT_POSITIVE_DEFINITE,
- * TAUT_REASON_CANCELLED. Cost: one numeric factorisation, a fraction of `taut_heat_new`. Threads: any. Cancelled
- * between its steps, not inside a factorisation.
+ * TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: one numeric factorisation, a fraction of `taut_heat_new`.
+ * Threads: any. The control is consulted between the steps, not inside a factorisation.
  */
 taut_status taut_heat_with_time_step(const taut_heat *heat,
                                      taut_time_step time_step,
@@ -834,14 +906,14 @@ double taut_heat_time_step(const taut_heat *heat);
  *
  * - `heat`: not NULL.
  * - `sources`: where to measure from; not NULL, at least one.
- * - `control`: progress and cancellation, or NULL.
+ * - `control`: progress, cancellation and a time limit, or NULL.
  * - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
  *   reaches.
  *
  * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE and TAUT_REASON_SOURCE_ON_BOUNDARY name the source;
- * TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED. Cost: a few sparse triangular solves, about O(V log V); with
- * `TAUT_SHIFT_PINNED` and several sources in one component also a factorisation. Threads: any, also on one `heat` at
- * once. Cancelled between its steps, not inside a solve.
+ * TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: a few sparse triangular solves,
+ * about O(V log V); with `TAUT_SHIFT_PINNED` and several sources in one component also a factorisation. Threads: any,
+ * also on one `heat` at once. The control is consulted between the steps, not inside a solve.
  */
 taut_status taut_heat_distances(const taut_heat *heat,
                                 const taut_sources *sources,
@@ -870,12 +942,15 @@ void taut_exact_free(taut_exact *exact);
  * - `exact`: not NULL.
  * - `sources`: where to measure from; not NULL, at least one.
  * - `options`: NULL means the default.
- * - `control`: progress and cancellation, or NULL.
+ * - `control`: progress, cancellation and limits, or NULL.
  * - `out`: receives the field, to be freed with `taut_exact_field_free`; NULL on failure.
  *
- * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE names the source or target; TAUT_REASON_CANCELLED.
- * Cost: about 20 windows per triangle on scanned surfaces, O(V^2) at worst; memory for the moving front only. Threads:
- * any, also on one `exact` at once. Cancelled within a few hundred vertices.
+ * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE names the source or target; TAUT_REASON_BAD_ARGUMENT;
+ * and, unless `allow_partial` is set, TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT, TAUT_REASON_MEMORY_LIMIT. Cost:
+ * about 20 windows per triangle on scanned surfaces, O(V^2) at worst, and with targets or a radius in proportion to the
+ * area within; memory for the moving front, 32 bytes a vertex and 12 a triangle. Threads: any, also on one `exact` at
+ * once. The control is consulted every few thousand windows, about a millisecond apart, in which the memory grows by a
+ * few hundred kB at most.
  */
 taut_status taut_exact_field_new(const taut_exact *exact,
                                  const taut_sources *sources,
@@ -895,13 +970,26 @@ taut_status taut_exact_field_new(const taut_exact *exact,
 taut_status taut_exact_field_distances(const taut_exact_field *field, taut_output out);
 
 /**
- * Tells up to which distance the field is complete: +INFINITY unless the work stopped at its targets.
+ * Tells up to which distance the field is complete: distances up to this one are there and final, beyond it all are
+ * +INFINITY. It is +INFINITY unless the work stopped at its targets or its radius, or was interrupted; work that was
+ * interrupted early may know no distance for certain, and then this is below the least start distance.
  *
  * - `field`: not NULL.
  *
  * Returns 0 if `field` is NULL. Cost: O(1). Threads: any.
  */
 double taut_exact_field_final_radius(const taut_exact_field *field);
+
+/**
+ * Tells what interrupted the work before it had all that was asked for: the status that its call would have returned
+ * without `allow_partial`.
+ *
+ * - `field`: not NULL.
+ *
+ * Returns TAUT_STATUS_OK if nothing did, TAUT_STATUS_CANCELLED or TAUT_STATUS_LIMIT_REACHED;
+ * TAUT_STATUS_INVALID_ARGUMENT if `field` is NULL. Cost: O(1). Threads: any.
+ */
+taut_status taut_exact_field_interruption(const taut_exact_field *field);
 
 /** Frees a field; NULL is fine. */
 void taut_exact_field_free(taut_exact_field *field);

@@ -33,6 +33,8 @@ pub enum Status {
     TooLarge = 8,
     /// A defect of the library; please report it.
     Internal = 9,
+    /// The work reached a limit that the caller set.
+    LimitReached = 10,
 }
 
 /// What went wrong, finer than the status.
@@ -76,6 +78,10 @@ pub enum Reason {
     NotPositiveDefinite = 60,
     /// The caller cancelled.
     Cancelled = 70,
+    /// The time limit of the control is over.
+    TimeLimit = 71,
+    /// The work uses more memory than the control allows.
+    MemoryLimit = 72,
     /// More vertices, faces or half-edges than 32-bit indices address.
     TooManyElements = 80,
     /// An allocation failed.
@@ -104,6 +110,7 @@ impl Reason {
             Reason::MissingFeature => Status::Unsupported,
             Reason::NotPositiveDefinite => Status::Numeric,
             Reason::Cancelled => Status::Cancelled,
+            Reason::TimeLimit | Reason::MemoryLimit => Status::LimitReached,
             Reason::TooManyElements | Reason::OutOfMemory => Status::TooLarge,
             Reason::Panic => Status::Internal,
         }

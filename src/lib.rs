@@ -8,7 +8,7 @@
 //!
 //! A [`Mesh`] is any soup of triangles, from buffers of any type and stride or from a file; it is checked once. Indices
 //! count from 0 and are those of the input; distances are in the mesh's units; a vertex that no source reaches has +inf.
-//! Long calls take a [`Control`], which tells their progress and cancels them.
+//! Long calls take a [`Control`], which tells their progress, cancels them and limits their time and memory.
 //!
 //! ```
 //! # fn main() -> taut::Result<()> {

@@ -11,7 +11,7 @@ type Triangles = Vec<[u32; 3]>;
 
 fn field(points: &[[f64; 3]], triangles: &[[u32; 3]], sources: &[Source], targets: &[u32]) -> ExactField {
     let mesh = Mesh::from_triangles(points, triangles).unwrap();
-    let options = ExactOptions { targets: targets.to_vec() };
+    let options = ExactOptions { targets: targets.to_vec(), ..ExactOptions::default() };
     ExactSolver::new(&mesh).unwrap().field(sources, &options, &Control::new()).unwrap()
 }
 
@@ -354,7 +354,7 @@ fn errors_name_the_source_or_target() {
     let (points, triangles) = grid(2, rough);
     let solver = ExactSolver::new(&Mesh::from_triangles(&points, &triangles).unwrap()).unwrap();
     let run = |sources: &[Source], targets: &[u32]| {
-        let options = ExactOptions { targets: targets.to_vec() };
+        let options = ExactOptions { targets: targets.to_vec(), ..ExactOptions::default() };
         let error = solver.field(sources, &options, &Control::new()).unwrap_err();
         (error.reason(), error.element())
     };

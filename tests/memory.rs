@@ -1,4 +1,4 @@
-//! Memory that reading takes: in proportion to the file, whatever its counts promise.
+//! Memory: reading takes it in proportion to the file, whatever its counts promise; the exact method within its limit.
 //!
 //! One test, because the allocator counts what all threads of the process ask for.
 
@@ -10,7 +10,7 @@ mod common;
 use common::{floats, glb};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
-use taut::{Mesh, MeshFormat};
+use taut::{Control, ExactOptions, ExactSolver, Mesh, MeshFormat, Source, shapes};
 
 static USED: AtomicUsize = AtomicUsize::new(0);
 static PEAK: AtomicUsize = AtomicUsize::new(0);
@@ -36,12 +36,17 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static COUNTING: Counting = Counting;
 
-/// The most bytes in use at once while the file is read, and whether it is a mesh.
-fn peak(file: &[u8], format: MeshFormat) -> (usize, bool) {
+/// The most bytes in use at once during the work, beyond those before it, and its result.
+fn peak<T>(work: impl FnOnce() -> T) -> (usize, T) {
     let before = USED.load(Relaxed);
     PEAK.store(before, Relaxed);
-    let is_mesh = Mesh::read_bytes(file, format).is_ok();
-    (PEAK.load(Relaxed) - before, is_mesh)
+    let result = work();
+    (PEAK.load(Relaxed) - before, result)
+}
+
+/// The peak while the file is read, and whether it is a mesh.
+fn peak_of(file: &[u8], format: MeshFormat) -> (usize, bool) {
+    peak(|| Mesh::read_bytes(file, format).is_ok())
 }
 
 /// Small files whose counts promise this many vertices or faces.
@@ -85,19 +90,43 @@ fn grids(n: u32) -> Vec<(MeshFormat, Vec<u8>)> {
     vec![(MeshFormat::Stl, stl), (MeshFormat::Obj, obj.into_bytes())]
 }
 
-#[test]
 fn memory_is_in_proportion_to_the_file() {
     for count in [4_000_000_000, u64::from(u32::MAX), 1 << 62] {
         for (format, file) in promises(count) {
-            let (bytes, is_mesh) = peak(&file, format);
+            let (bytes, is_mesh) = peak_of(&file, format);
             assert!(!is_mesh && bytes < 20 * file.len() + 10_000, "{format:?}: {bytes} of {}", file.len());
         }
     }
     let nodes = vec!["{}"; 100_000].join(",");
-    let (bytes, _) = peak(&glb(&format!(r#"{{"nodes":[{nodes}]}}"#), &[]), MeshFormat::Glb);
+    let (bytes, _) = peak_of(&glb(&format!(r#"{{"nodes":[{nodes}]}}"#), &[]), MeshFormat::Glb);
     assert!(bytes < 100 * nodes.len(), "nodes of glTF: {bytes} of {}", nodes.len());
     for (format, file) in grids(200) {
-        let (bytes, is_mesh) = peak(&file, format);
+        let (bytes, is_mesh) = peak_of(&file, format);
         assert!(is_mesh && bytes < 20 * file.len(), "{format:?}: {bytes} of {}", file.len());
     }
+}
+
+fn memory_stays_within_its_limit() {
+    let solver = ExactSolver::new(&shapes::terrain(200, 0.3).mesh().unwrap()).unwrap();
+    let field = |limit: usize, allow_partial: bool| {
+        let control = Control::new();
+        control.set_memory_limit(limit);
+        let options = ExactOptions { allow_partial, ..ExactOptions::default() };
+        peak(|| solver.field(&[Source::vertex(0)], &options, &control).is_ok())
+    };
+    let (whole, _) = field(usize::MAX, false);
+    assert!(field(whole, false).1, "what is in use is counted once");
+    assert!(!field(whole / 10 * 9, false).1, "what is in use is counted");
+    for share in [6, 7, 8, 9] {
+        let limit = whole / 10 * share;
+        let (bytes, _) = field(limit, true);
+        // A few thousand windows come between two looks at the limit.
+        assert!(bytes < limit + 400_000, "{bytes} bytes at a limit of {limit}, {whole} without one");
+    }
+}
+
+#[test]
+fn memory_is_bounded() {
+    memory_is_in_proportion_to_the_file();
+    memory_stays_within_its_limit();
 }

@@ -4,7 +4,8 @@ use crate::Cli;
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, ValueEnum};
 use std::path::PathBuf;
-use taut::{HeatOptions, Laplacian, Shift, Solver, TimeFormula, TimeScale, TimeStep};
+use std::time::Duration;
+use taut::{Control, ExactOptions, HeatOptions, Laplacian, Shift, Solver, TimeFormula, TimeScale, TimeStep};
 
 /// A field of distances: on which mesh, from where and how.
 #[derive(Debug, Args)]
@@ -26,6 +27,9 @@ pub(crate) struct FieldArgs {
 
     #[command(flatten)]
     pub(crate) heat: HeatArgs,
+
+    #[command(flatten)]
+    pub(crate) exact: ExactArgs,
 }
 
 const HEAT: &str = "Options of the heat method";
@@ -67,6 +71,27 @@ pub(crate) struct HeatArgs {
     /// Where distances begin [default: pinned]
     #[arg(help_heading = HEAT, long, value_enum)]
     shift: Option<ShiftArg>,
+}
+
+const EXACT: &str = "Options of the exact method";
+
+#[derive(Debug, Args)]
+pub(crate) struct ExactArgs {
+    /// Stop at this distance, in the units of the mesh; vertices farther away have inf
+    #[arg(help_heading = EXACT, long, value_name = "R", allow_negative_numbers = true)]
+    radius: Option<f64>,
+
+    /// Give up after this many seconds
+    #[arg(help_heading = EXACT, long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
+    time_limit: Option<Duration>,
+
+    /// Give up at this many megabytes of memory, beside those of the mesh
+    #[arg(help_heading = EXACT, long, value_name = "MB")]
+    memory_limit: Option<usize>,
+
+    /// At a limit, write the distances that are final by then, and inf for the others
+    #[arg(help_heading = EXACT, long)]
+    partial: bool,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -132,6 +157,11 @@ fn time_step(text: &str) -> Result<TimeStepArg, String> {
     text.parse().map(TimeStepArg::Value).map_err(|_| expected())
 }
 
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().map_err(|_| "not a number".to_owned())?;
+    Duration::try_from_secs_f64(seconds).map_err(|error| error.to_string())
+}
+
 impl FieldArgs {
     /// Refuses what clap cannot see by itself.
     pub(crate) fn check(&self) -> Result<(), clap::Error> {
@@ -142,6 +172,13 @@ impl FieldArgs {
         if let (Method::Exact, Some(option)) = (self.method, self.heat.first_given()) {
             let message = format!("{option} belongs to the heat method and means nothing with --method exact");
             return error(ErrorKind::ArgumentConflict, &message);
+        }
+        if let (Method::Heat, Some(option)) = (self.method, self.exact.first_given()) {
+            let message = format!("{option} belongs to the exact method and means nothing without --method exact");
+            return error(ErrorKind::ArgumentConflict, &message);
+        }
+        if self.exact.partial && self.exact.time_limit.is_none() && self.exact.memory_limit.is_none() {
+            return error(ErrorKind::MissingRequiredArgument, "--partial needs a --time-limit or a --memory-limit");
         }
         if let (Some(TimeStepArg::Value(_)), Some(_)) = (self.heat.time_step, self.heat.time_factor) {
             let message = "--time-factor multiplies a formula's t; --time-step gives t as a number";
@@ -196,6 +233,34 @@ impl HeatArgs {
                 TimeStep::Formula { formula, scale, factor: self.time_factor.unwrap_or(1.0) }
             }
             TimeStepArg::Value(t) => TimeStep::Value(t),
+        }
+    }
+}
+
+impl ExactArgs {
+    pub(crate) fn first_given(&self) -> Option<&'static str> {
+        let given = [
+            ("--radius", self.radius.is_some()),
+            ("--time-limit", self.time_limit.is_some()),
+            ("--memory-limit", self.memory_limit.is_some()),
+            ("--partial", self.partial),
+        ];
+        given.into_iter().find_map(|(name, is_given)| is_given.then_some(name))
+    }
+
+    /// The library's options, its defaults where nothing was given.
+    pub(crate) fn options(&self, targets: Vec<u32>) -> ExactOptions {
+        let default = ExactOptions::default();
+        ExactOptions { targets, radius: self.radius.unwrap_or(default.radius), allow_partial: self.partial }
+    }
+
+    /// Sets the limits; the time begins now.
+    pub(crate) fn limit(&self, control: &Control) {
+        if let Some(limit) = self.time_limit {
+            control.set_time_limit(limit);
+        }
+        if let Some(megabytes) = self.memory_limit {
+            control.set_memory_limit(megabytes.saturating_mul(1_000_000));
         }
     }
 }

@@ -28,6 +28,8 @@ Examples:
       a picture of them
   taut distance bunny.obj --source 0 --method exact --target 4711
       the distance of one vertex
+  taut distance bunny.obj --source 0 --method exact --radius 0.05
+      the distances up to 0.05, and inf for what is farther
 
 Exit code: 0 success, 1 failure, 2 a command line that makes no sense.";
 
@@ -153,6 +155,7 @@ fn report(mesh: &Mesh, field: &Field, read: Seconds, error: Option<Errors>) -> R
         time_step: field.time_step,
         largest_distance: field.distances.iter().filter(is_finite).copied().reduce(f64::max),
         unreachable: field.distances.len() - field.distances.iter().filter(is_finite).count(),
+        final_radius: Some(field.final_radius).filter(|radius| radius.is_finite()),
         timing: Timing { read, setup: field.setup, solve: field.solve },
         error,
     }

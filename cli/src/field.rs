@@ -2,11 +2,13 @@
 
 use crate::args::{FieldArgs, Method};
 use crate::measured::{Seconds, measured};
-use taut::{ExactOptions, ExactSolver, HeatSolver, Mesh, Source};
+use taut::{ExactSolver, HeatSolver, Mesh, Source};
 
 /// What a method found, and what it took.
 pub(crate) struct Field {
     pub(crate) distances: Vec<f64>,
+    /// Up to which distance they are there.
+    pub(crate) final_radius: f64,
     /// t in mesh units squared; None for the exact method.
     pub(crate) time_step: Option<f64>,
     pub(crate) setup: Seconds,
@@ -18,7 +20,7 @@ impl Field {
     pub(crate) fn compute(args: &FieldArgs, mesh: &Mesh, sources: &[Source], targets: Vec<u32>) -> taut::Result<Field> {
         match args.method {
             Method::Heat => heat(args, mesh, sources),
-            Method::Exact => exact(mesh, sources, targets),
+            Method::Exact => exact(args, mesh, sources, targets),
         }
     }
 }
@@ -28,13 +30,22 @@ fn heat(args: &FieldArgs, mesh: &Mesh, sources: &[Source]) -> taut::Result<Field
     let (solver, setup) = measured("setup", |control| HeatSolver::new(mesh, &options, control));
     let solver = solver?;
     let (distances, solve) = measured("solve", |control| solver.distances(sources, control));
-    Ok(Field { distances: distances?, time_step: Some(solver.time_step()), setup, solve })
+    let (distances, final_radius) = (distances?, f64::INFINITY);
+    Ok(Field { distances, final_radius, time_step: Some(solver.time_step()), setup, solve })
 }
 
-fn exact(mesh: &Mesh, sources: &[Source], targets: Vec<u32>) -> taut::Result<Field> {
+fn exact(args: &FieldArgs, mesh: &Mesh, sources: &[Source], targets: Vec<u32>) -> taut::Result<Field> {
     let (solver, setup) = measured("setup", |_| ExactSolver::new(mesh));
     let solver = solver?;
-    let options = ExactOptions { targets };
-    let (field, solve) = measured("solve", |control| solver.field(sources, &options, control));
-    Ok(Field { distances: field?.distances().to_vec(), time_step: None, setup, solve })
+    let options = args.exact.options(targets);
+    let (field, solve) = measured("solve", |control| {
+        args.exact.limit(control);
+        solver.field(sources, &options, control)
+    });
+    let field = field?;
+    let final_radius = field.final_radius();
+    if let Some(reason) = field.interruption() {
+        eprintln!("taut: {reason}: distances up to {final_radius} are final, the others are written as inf");
+    }
+    Ok(Field { distances: field.distances().to_vec(), final_radius, time_step: None, setup, solve })
 }

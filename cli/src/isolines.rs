@@ -105,7 +105,7 @@ impl IsolinesArgs {
         if let (false, Some(option)) = (is_drawn, self.picture.useless()) {
             return conflict(&format!("{option} belongs to a drawing or picture, and none is asked for"));
         }
-        match (&self.values, self.field.heat.first_given()) {
+        match (&self.values, self.field.heat.first_given().or(self.field.exact.first_given())) {
             (None, _) => self.field.check(),
             (Some(_), Some(option)) => {
                 conflict(&format!("{option} is about distances and means nothing with --values"))

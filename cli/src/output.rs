@@ -18,6 +18,9 @@ pub(crate) struct Report {
     pub(crate) time_step: Option<f64>,
     pub(crate) largest_distance: Option<f64>,
     pub(crate) unreachable: usize,
+    /// Up to which distance the distances are there, if the work stopped before it had all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) final_radius: Option<f64>,
     pub(crate) timing: Timing,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) error: Option<Errors>,

@@ -91,6 +91,43 @@ fn a_target_is_printed_alone() {
 }
 
 #[test]
+fn a_radius_leaves_out_what_is_farther() {
+    let desk = Desk::with_grid();
+    let all = desk.distances("distance grid.obj --source 0 --method exact");
+    let near = desk.distances("distance grid.obj --source 0 --method exact --radius 7.5");
+    let expected: Vec<f64> = all.iter().map(|&d| if d <= 7.5 { d } else { f64::INFINITY }).collect();
+    assert_eq!(near, expected);
+    let report = desk.json("distance grid.obj --source 0 --method exact --radius 7.5 --json");
+    assert_eq!((&report["final_radius"], &report["unreachable"]), (&7.5.into(), &389.into()));
+    let whole = "distance grid.obj --source 0 --method exact --radius 100";
+    assert_eq!(desk.distances(whole), all);
+    assert!(desk.json(&format!("{whole} --json")).get("final_radius").is_none());
+}
+
+#[test]
+fn a_limit_fails_or_writes_what_is_final() {
+    let desk = Desk::with_grid();
+    let exact = "distance grid.obj --source 0 --method exact";
+    for (limit, message) in [
+        ("--time-limit 0", "the time limit of 0ns is reached, after "),
+        ("--memory-limit 0", "the memory limit of 0 bytes is reached: "),
+    ] {
+        let said = desk.says(1, &format!("{exact} {limit} -o out.txt"));
+        assert!(said.starts_with(&format!("taut: error: {message}")) && said.lines().count() == 1, "{said}");
+        assert!(!desk.path("out.txt").exists());
+
+        let output = desk.run(&format!("{exact} {limit} --partial"));
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.success() && said.starts_with(&format!("taut: {message}")), "{said}");
+        assert!(said.ends_with(" are final, the others are written as inf\n") && said.lines().count() == 1, "{said}");
+        let part = numbers(&String::from_utf8(output.stdout).unwrap());
+        assert!(part.len() == 441 && part.contains(&f64::INFINITY));
+    }
+    let all = desk.prints(exact);
+    assert_eq!(desk.prints(&format!("{exact} --time-limit 600.5 --memory-limit 1000 --partial")), all);
+}
+
+#[test]
 fn the_output_file_takes_the_place_of_standard_output() {
     let desk = Desk::with_grid();
     let printed = desk.prints("distance grid.obj --source 0 --method exact");
@@ -171,6 +208,8 @@ fn a_failure_names_its_cause_and_writes_nothing() {
         ("distance grid.obj --source 0 --time-step 0", "taut: error: "),
         ("distance grid.obj --source 0 --time-step nan", "taut: error: "),
         ("distance grid.obj --source 0 --time-factor -1", "taut: error: "),
+        ("distance grid.obj --source 0 --method exact --radius -1", "taut: error: radius is -1"),
+        ("distance grid.obj --source 0 --method exact --radius nan", "taut: error: radius is NaN"),
     ] {
         let said = desk.says(1, &format!("{line} -o out.txt"));
         assert!(said.starts_with(part) && said.lines().count() == 1, "{line}: {said}");
@@ -194,6 +233,15 @@ fn a_command_line_that_makes_no_sense_is_refused_with_code_2() {
         ("distance grid.obj --source 0 --method exact --boundary 0", "--boundary"),
         ("distance grid.obj --source 0 --method exact --shift min", "--shift"),
         ("distance grid.obj --source 0 --method exact --time-scale raw", "--time-scale"),
+        ("distance grid.obj --source 0 --radius 1", "--radius"),
+        ("distance grid.obj --source 0 --time-limit 1", "--time-limit"),
+        ("distance grid.obj --source 0 --memory-limit 1", "--memory-limit"),
+        ("distance grid.obj --source 0 --partial", "--partial"),
+        ("distance grid.obj --source 0 --method exact --partial", "--memory-limit"),
+        ("distance grid.obj --source 0 --method exact --time-limit -1", "negative"),
+        ("distance grid.obj --source 0 --method exact --time-limit soon", "not a number"),
+        ("distance grid.obj --source 0 --method exact --memory-limit -1", "-1"),
+        ("isolines grid.obj --values v.txt --radius 1 --count 3 -o lines.obj", "--radius"),
         ("walk grid.obj", "walk"),
     ] {
         let said = desk.says(2, line);
@@ -216,6 +264,10 @@ fn help_names_every_option() {
         "--solver",
         "--boundary",
         "--shift",
+        "--radius",
+        "--time-limit",
+        "--memory-limit",
+        "--partial",
         "--target",
         "--reference",
         "--output",

@@ -95,6 +95,13 @@ pub(crate) struct Scratch {
     pending: Vec<Window>,
 }
 
+impl Scratch {
+    /// For how many windows memory is taken.
+    pub(crate) fn capacity(&self) -> usize {
+        self.kept.capacity() + self.pending.capacity()
+    }
+}
+
 /// Windows from left to right. All but the last that was added are final, so that it is enough to look at that one.
 struct Sweep<'a> {
     kept: &'a mut Vec<Window>,
@@ -207,6 +214,11 @@ impl Memory {
     /// Nothing yet, on an edge of this length. Paths are equal if they differ by the share `tie`.
     pub(crate) fn new(length: f64, tie: f64) -> Memory {
         Memory { windows: Vec::new(), least: LEAST_WIDTH * length, margin: tie }
+    }
+
+    /// For how many windows memory is taken.
+    pub(crate) fn capacity(&self) -> usize {
+        self.windows.capacity()
     }
 
     /// Keeps of the windows what is shorter than anything remembered, and remembers it.

@@ -13,6 +13,7 @@
 mod charts;
 mod envelope;
 mod propagate;
+mod stop;
 mod window;
 
 use crate::control::Control;
@@ -23,6 +24,7 @@ use crate::surface::point::Source;
 use charts::{Bend, Chart};
 use propagate::Front;
 use std::sync::Arc;
+use stop::{Stop, Units};
 
 /// A mesh prepared for exact distances. Clones share the preparation; any number of threads may use one.
 ///
@@ -49,15 +51,25 @@ pub(crate) struct Prepared {
     sliver: Vec<bool>,
     /// Which triangles remember the windows that crossed them.
     remembers: Vec<bool>,
-    longest_edge: f64,
 }
 
-/// When to stop before every vertex is reached.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+/// When to stop before every vertex is reached: vertices beyond [`ExactField::final_radius`] then have +inf.
+#[derive(Debug, Clone, PartialEq)]
 pub struct ExactOptions {
-    /// Vertices whose distances are wanted; none means all. The work stops once all of these are final, and vertices
-    /// beyond [`ExactField::final_radius`] then have +inf.
+    /// Vertices whose distances are wanted; none means all. The work stops once all of these are final.
     pub targets: Vec<u32>,
+    /// The largest distance wanted, start distances included, in mesh units and not negative; the default is +inf.
+    /// Vertices that are farther have +inf, and the work stops once all others are final.
+    pub radius: f64,
+    /// Whether work that is cancelled or reaches a limit of its [`Control`] succeeds with the distances that are final
+    /// by then; else, the default, it fails.
+    pub allow_partial: bool,
+}
+
+impl Default for ExactOptions {
+    fn default() -> ExactOptions {
+        ExactOptions { targets: Vec::new(), radius: f64::INFINITY, allow_partial: false }
+    }
 }
 
 /// The exact distances from one set of sources.
@@ -65,6 +77,7 @@ pub struct ExactOptions {
 pub struct ExactField {
     distances: Vec<f64>,
     final_radius: f64,
+    interruption: Option<Error>,
     windows: u64,
 }
 
@@ -79,46 +92,58 @@ impl ExactSolver {
         let sliver = charts::slivers(&charts);
         let bends = charts::bends(mesh, &charts, &sliver);
         let remembers = charts::remembering(mesh, &sliver);
-        let edge_of = &mesh.topology().edge_of;
-        let edges = charts.iter().zip(edge_of).filter(|&(_, &e)| e != crate::mesh::topology::NONE);
-        let longest_edge = edges.map(|(chart, _)| chart.length).fold(0.0, f64::max);
-        Ok(ExactSolver(Arc::new(Prepared {
-            mesh: mesh.clone(),
-            scale,
-            charts,
-            bends,
-            sliver,
-            remembers,
-            longest_edge,
-        })))
+        Ok(ExactSolver(Arc::new(Prepared { mesh: mesh.clone(), scale, charts, bends, sliver, remembers })))
     }
 
     /// The distance of every vertex from the nearest of `sources`, each with its start distance.
     ///
-    /// Progress counts settled vertices; the control is consulted every few hundred of them.
+    /// Progress counts settled vertices. The control is consulted every few thousand windows, about a millisecond
+    /// apart. Its memory limit counts 32 bytes a vertex and 12 a triangle, which are taken before the first look
+    /// at it, and the windows of the moving front.
     ///
     /// # Errors
-    /// [`Reason::NoSource`], [`Reason::VertexOutOfRange`] and [`Reason::BadArgument`] naming the source or target,
-    /// [`Reason::Cancelled`].
+    /// [`Reason::NoSource`], [`Reason::VertexOutOfRange`] and [`Reason::BadArgument`] naming the source or target;
+    /// [`Reason::BadArgument`] for a radius that is negative or NaN; unless `allow_partial` is set,
+    /// [`Reason::Cancelled`], [`Reason::TimeLimit`], [`Reason::MemoryLimit`].
     pub fn field(&self, sources: &[Source], options: &ExactOptions, control: &Control) -> Result<ExactField> {
         let vertices = self.0.mesh.vertex_count();
         let sources = Source::checked(sources, vertices)?;
         check_targets(&options.targets, vertices)?;
+        check_radius(options.radius)?;
         // Start distances count from the least one, so that no label is negative.
         let least = sources.iter().map(|source| source.offset()).fold(f64::INFINITY, f64::min);
+        let units = Units { scale: self.0.scale, least };
         let mut is_source = vec![false; vertices];
         let mut front = Front::new(&self.0);
         for source in &sources {
             is_source[source.vertex_index() as usize] = true;
             front.start(source.vertex_index(), self.0.scale.to_unit(source.offset() - least));
         }
-        let radius = front.run(&is_source, &options.targets, control)?;
+        let mut stop = Stop::new(units, options.radius, &options.targets);
+        let (rho, ended) = front.run(&is_source, &mut stop, control);
+        let interruption = match ended {
+            Err(error) if !options.allow_partial => return Err(error),
+            ended => ended.err(),
+        };
         let windows = front.crossed();
-        let to_mesh =
-            |distance: f64| if distance <= radius { self.0.scale.to_mesh(distance) + least } else { f64::INFINITY };
-        let distances = front.into_labels().into_iter().map(to_mesh).collect();
-        Ok(ExactField { distances, final_radius: to_mesh(radius), windows })
+        let mut distances = front.into_labels();
+        distances.iter_mut().for_each(|d| *d = units.to_mesh(*d));
+        let final_radius = units.final_radius(rho).min(options.radius);
+        let mut is_cut = rho < f64::INFINITY;
+        for d in distances.iter_mut().filter(|d| **d > final_radius) {
+            is_cut |= *d < f64::INFINITY;
+            *d = f64::INFINITY;
+        }
+        let final_radius = if is_cut { final_radius } else { f64::INFINITY };
+        Ok(ExactField { distances, final_radius, interruption, windows })
     }
+}
+
+fn check_radius(radius: f64) -> Result<()> {
+    if radius >= 0.0 {
+        return Ok(());
+    }
+    Err(Error::new(Reason::BadArgument, format!("radius is {radius}, which is not a distance")))
 }
 
 fn check_targets(targets: &[u32], vertices: usize) -> Result<()> {
@@ -138,10 +163,20 @@ impl ExactField {
         &self.distances
     }
 
-    /// Distances up to this one are there and final: +inf unless the work stopped at its targets.
+    /// Distances up to this one are there and final, beyond it all are +inf; +inf itself if nothing was left out.
+    ///
+    /// Work that was interrupted early may know no distance for certain, not even its sources': then this is below the
+    /// least start distance.
     #[must_use]
     pub fn final_radius(&self) -> f64 {
         self.final_radius
+    }
+
+    /// Why the work was interrupted before it had all that was asked for, where
+    /// [`allow_partial`](ExactOptions::allow_partial) let it succeed all the same.
+    #[must_use]
+    pub fn interruption(&self) -> Option<&Error> {
+        self.interruption.as_ref()
     }
 
     /// How many windows crossed a triangle: a measure of the work that does not depend on the machine.

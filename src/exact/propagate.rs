@@ -25,6 +25,7 @@
 use super::Prepared;
 use super::charts::{Bend, Chart, SEVERAL};
 use super::envelope::{Limits, Memory, Scratch, trim};
+use super::stop::{Open, Stop, Watch, rho};
 use super::window::{Entry, Turn, Window};
 use crate::control::Control;
 use crate::error::Result;
@@ -82,9 +83,6 @@ pub(crate) struct Front<'a> {
 /// Around slivers, paths that differ by this share are equal: more than the rounding of a few crossings.
 const TIE: f64 = 1e-14;
 
-/// How often the control is consulted: every so many settled vertices.
-const CHECK_EVERY: usize = 256;
-
 impl<'a> Front<'a> {
     pub(crate) fn new(solver: &'a Prepared) -> Front<'a> {
         let vertices = solver.mesh.vertex_count();
@@ -110,33 +108,69 @@ impl<'a> Front<'a> {
         self.relax(v, distance, Arrival { h: NONE, at: 0.0 });
     }
 
-    /// Propagates until nothing is left or every target's distance is final; returns the radius up to which all labels
-    /// are final.
-    pub(crate) fn run(&mut self, sources: &[bool], targets: &[u32], control: &Control) -> Result<f64> {
-        let vertices = self.label.len();
-        let mut settled = 0;
+    /// Propagates until nothing is left, the stopping rule is met, or the control interrupts it, which is the error. The
+    /// number is ρ: labels below it are final.
+    pub(crate) fn run(&mut self, sources: &[bool], stop: &mut Stop, control: &Control) -> (f64, Result<()>) {
+        let vertices = self.label.len() as f64;
+        let mut watch = Watch::new(control);
+        let (mut settled, mut steps) = (0u64, 0u64);
         while let Some(Reverse((key, v))) = self.heap.pop() {
-            // A label that fell by rounding only since its vertex was settled changes nothing: around triangles without
-            // area labels could else fall by one bit at a time, for ever.
-            if self.label[v as usize] >= self.settled[v as usize] * (1.0 - TIE) {
+            if !self.is_open(v) {
                 continue;
             }
-            // A list waits for an apex that is not nearer than this one, so its windows start at most one edge before.
-            let radius = f64::from_bits(key) - self.solver.longest_edge;
-            if !targets.is_empty() && targets.iter().all(|&t| self.label[t as usize] <= radius) {
-                return Ok(radius);
+            let nearest = (f64::from_bits(key), v);
+            if stop.is_met(nearest.0, &self.label, || self.all_open(nearest)) {
+                control.report(1.0);
+                return (rho(self.all_open(nearest)), Ok(()));
             }
-            if settled % CHECK_EVERY == 0 {
-                control.checkpoint(settled as f64 / vertices as f64)?;
-            }
-            settled += usize::from(!self.is_settled(v));
+            settled += u64::from(!self.is_settled(v));
             self.settle(v, sources[v as usize]);
-            while let Some(h) = self.queue.pop_front() {
+            loop {
+                steps += 1;
+                let work = steps + self.crossed;
+                let parts = self.lists.len() + self.memory.len();
+                if watch.is_due(work)
+                    && let Err(error) = watch.check(work, settled as f64 / vertices, parts, || self.bytes())
+                {
+                    return (rho(self.all_open(nearest)), Err(error));
+                }
+                let Some(h) = self.queue.pop_front() else { break };
                 self.cross(h);
             }
         }
-        control.checkpoint(1.0)?;
-        Ok(f64::INFINITY)
+        control.report(1.0);
+        (f64::INFINITY, Ok(()))
+    }
+
+    /// Whether a vertex of the heap is to be settled. A label that fell by rounding only since its vertex was settled
+    /// changes nothing: around triangles without area labels could else fall by one bit at a time, for ever.
+    fn is_open(&self, v: u32) -> bool {
+        self.label[v as usize] < self.settled[v as usize] * (1.0 - TIE)
+    }
+
+    /// The vertices of the heap, and the one that was last taken from it, each with its distance.
+    fn all_open(&self, nearest: (f64, u32)) -> impl Iterator<Item = Open> {
+        let heap = self.heap.iter().map(|&Reverse((key, v))| (f64::from_bits(key), v));
+        heap.filter(|&(_, v)| self.is_open(v)).chain([nearest]).map(|(distance, v)| {
+            let charts = &self.solver.charts;
+            let edges = self.solver.mesh.topology().corners.row(v).iter().flat_map(|&h| [h, prev(h)]);
+            Open { distance, reach: edges.map(|h| charts[h as usize].length).fold(0.0, f64::max) }
+        })
+    }
+
+    /// The memory in use, beyond what the solver has.
+    fn bytes(&self) -> usize {
+        let of_vertex = 2 * size_of::<f64>() + size_of::<Arrival>();
+        let windows = self.lists.iter().map(|list| list.windows.capacity()).sum::<usize>()
+            + self.memory.values().map(Memory::capacity).sum::<usize>()
+            + self.scratch.capacity();
+        self.label.len() * of_vertex
+            + self.waiting.len() * size_of::<u32>()
+            + self.heap.capacity() * size_of::<Reverse<(u64, u32)>>()
+            + self.lists.capacity() * size_of::<List>()
+            + (self.free.capacity() + self.queue.capacity()) * size_of::<u32>()
+            + self.memory.capacity() * size_of::<(u32, Memory)>()
+            + windows * size_of::<Window>()
     }
 
     /// Distance of each vertex.

@@ -1,12 +1,20 @@
-//! `taut_control`: progress and cancellation.
+//! `taut_control`: progress, cancellation and limits.
 
 use super::guard::{free, guard, guard_new, guard_value, required};
-use crate::{Control, Status};
+use crate::{Control, Error, Reason, Status};
+use libc::{c_int, c_void};
+use std::ops::ControlFlow;
+use std::time::Duration;
 
-/// Watches and cancels one long call from any thread.
+/// Watches, limits and cancels a long call from any thread.
 pub struct taut_control(pub(super) Control);
 
-/// Makes a control, at progress 0 and not cancelled. Use a new one for each call.
+/// A function of yours that is told the progress, in [0, 1], and whatever `user` points to. It returns 0 to go on; any
+/// other number cancels the call. It must return: no exception, no `longjmp`.
+pub type taut_callback = Option<unsafe extern "C" fn(progress: f64, user: *mut c_void) -> c_int>;
+
+/// Makes a control, at progress 0, not cancelled, without limits or callback. Use a new one for each call, or one for
+/// several calls that share a limit.
 ///
 /// - `out`: receives the control; free it with `taut_control_free` once the call that uses it has returned.
 ///
@@ -17,7 +25,8 @@ pub unsafe extern "C" fn taut_control_new(out: *mut *mut taut_control) -> Status
     unsafe { guard_new(out, || Ok(taut_control(Control::new()))) }
 }
 
-/// Asks the call that uses the control to stop: at its next check it returns TAUT_STATUS_CANCELLED and writes nothing.
+/// Asks the call that uses the control to stop: at its next check it returns TAUT_STATUS_CANCELLED and writes nothing,
+/// or succeeds with what is final by then if its options set `allow_partial`.
 ///
 /// - `control`: not NULL.
 ///
@@ -32,7 +41,7 @@ pub extern "C" fn taut_control_cancel(control: Option<&taut_control>) {
     });
 }
 
-/// Tells whether `taut_control_cancel` was called.
+/// Tells whether `taut_control_cancel` was called or a callback has cancelled.
 ///
 /// - `control`: not NULL.
 ///
@@ -50,6 +59,94 @@ pub extern "C" fn taut_control_is_cancelled(control: Option<&taut_control>) -> b
 #[unsafe(no_mangle)]
 pub extern "C" fn taut_control_progress(control: Option<&taut_control>) -> f64 {
     guard_value(0.0, || Ok(required(control, "control")?.0.progress()))
+}
+
+/// Limits the time: from now on this many seconds. A call that uses the control then returns
+/// TAUT_STATUS_LIMIT_REACHED at its next check, with TAUT_REASON_TIME_LIMIT, and writes nothing, unless its options set
+/// `allow_partial`.
+///
+/// - `control`: not NULL.
+/// - `seconds`: not negative; 0 means no limit, as does +INFINITY.
+///
+/// A later limit takes the place of an earlier one, also while a call runs.
+///
+/// Errors: TAUT_REASON_BAD_ARGUMENT where `seconds` is negative or NaN. Cost: O(1). Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_control_set_time_limit(control: Option<&taut_control>, seconds: f64) -> Status {
+    guard(|| {
+        let control = required(control, "control")?;
+        let limit = match Duration::try_from_secs_f64(seconds) {
+            _ if seconds == 0.0 => Duration::MAX,
+            Ok(limit) => limit,
+            // More than 500 billion years.
+            Err(_) if seconds > 0.0 => Duration::MAX,
+            Err(_) => {
+                let message = format!("`seconds` is {seconds}, which is not a time");
+                return Err(Error::new(Reason::BadArgument, message));
+            }
+        };
+        control.0.set_time_limit(limit);
+        Ok(())
+    })
+}
+
+/// Limits the memory that a call takes beyond its mesh and what was prepared. At its next check beyond the limit it
+/// returns TAUT_STATUS_LIMIT_REACHED with TAUT_REASON_MEMORY_LIMIT, and writes nothing, unless its options set
+/// `allow_partial`.
+///
+/// - `control`: not NULL.
+/// - `bytes`: 0 means no limit.
+///
+/// Only `taut_exact_field_new` counts its memory; to other calls this makes no difference.
+///
+/// Errors: `control` is NULL. Cost: O(1). Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_control_set_memory_limit(control: Option<&taut_control>, bytes: usize) -> Status {
+    guard(|| {
+        required(control, "control")?.0.set_memory_limit(if bytes == 0 { usize::MAX } else { bytes });
+        Ok(())
+    })
+}
+
+/// Lets a call that uses the control tell its progress at each of its checks, to a function of yours, on the thread that
+/// makes the call and no other.
+///
+/// - `control`: not NULL.
+/// - `callback`: may use the control; it is not called again while it runs. NULL means none.
+/// - `user`: handed to the callback as it is; may be NULL. It must stay valid until the callback is replaced or the
+///   control freed, and no call uses the control any more.
+///
+/// Errors: `control` is NULL. Cost: O(1). Threads: any.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_control_set_callback(
+    control: Option<&taut_control>,
+    callback: taut_callback,
+    user: *mut c_void,
+) -> Status {
+    guard(|| {
+        let control = required(control, "control")?;
+        let user = User(user);
+        control.0.set_callback(move |progress| {
+            // SAFETY: the header asks for a function of this type and a `user` that it may be called with.
+            let answer = callback.map_or(0, |callback| unsafe { callback(progress, user.pointer()) });
+            if answer == 0 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        });
+        Ok(())
+    })
+}
+
+/// A pointer of the caller's.
+struct User(*mut c_void);
+
+// SAFETY: we only hand it back. That its callback may run on another thread than the one it was set on, the one that
+// makes the call, is what the header says.
+unsafe impl Send for User {}
+
+impl User {
+    /// A method, so that a closure holds the whole of it, which is Send, and not the field.
+    fn pointer(&self) -> *mut c_void {
+        self.0
+    }
 }
 
 /// Frees a control; NULL is fine.

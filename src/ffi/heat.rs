@@ -121,12 +121,13 @@ pub unsafe extern "C" fn taut_time_step_value(
 ///
 /// - `mesh`: not NULL; it may be freed afterwards.
 /// - `options`: NULL means the default.
-/// - `control`: progress and cancellation, or NULL.
+/// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
 ///
 /// Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_MISSING_FEATURE,
-/// TAUT_REASON_NOT_POSITIVE_DEFINITE, TAUT_REASON_CANCELLED. Cost: two sparse Cholesky factorisations, about O(V^1.5)
-/// time and O(V log V) memory. Threads: any. Cancelled between its steps, not inside a factorisation.
+/// TAUT_REASON_NOT_POSITIVE_DEFINITE, TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: two sparse Cholesky
+/// factorisations, about O(V^1.5) time and O(V log V) memory. Threads: any. The control is consulted between the
+/// steps, not inside a factorisation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_new(
     mesh: Option<&taut_mesh>,
@@ -148,12 +149,12 @@ pub unsafe extern "C" fn taut_heat_new(
 ///
 /// - `heat`: not NULL; it stays as it is and may be freed before the new one.
 /// - `time_step`: all zero means the default, not that of `heat`.
-/// - `control`: progress and cancellation, or NULL.
+/// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
 ///
 /// Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_NOT_POSITIVE_DEFINITE,
-/// TAUT_REASON_CANCELLED. Cost: one numeric factorisation, a fraction of `taut_heat_new`. Threads: any. Cancelled
-/// between its steps, not inside a factorisation.
+/// TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: one numeric factorisation, a fraction of `taut_heat_new`.
+/// Threads: any. The control is consulted between the steps, not inside a factorisation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_with_time_step(
     heat: Option<&taut_heat>,
@@ -183,14 +184,14 @@ pub extern "C" fn taut_heat_time_step(heat: Option<&taut_heat>) -> f64 {
 ///
 /// - `heat`: not NULL.
 /// - `sources`: where to measure from; not NULL, at least one.
-/// - `control`: progress and cancellation, or NULL.
+/// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
 ///   reaches.
 ///
 /// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE and TAUT_REASON_SOURCE_ON_BOUNDARY name the source;
-/// TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED. Cost: a few sparse triangular solves, about O(V log V); with
-/// `TAUT_SHIFT_PINNED` and several sources in one component also a factorisation. Threads: any, also on one `heat` at
-/// once. Cancelled between its steps, not inside a solve.
+/// TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: a few sparse triangular solves,
+/// about O(V log V); with `TAUT_SHIFT_PINNED` and several sources in one component also a factorisation. Threads: any,
+/// also on one `heat` at once. The control is consulted between the steps, not inside a solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_distances(
     heat: Option<&taut_heat>,

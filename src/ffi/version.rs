@@ -38,7 +38,7 @@ const fn number(digits: &str) -> u32 {
 }
 
 /// Every status and its name.
-const STATUS_NAMES: [(Status, &CStr); 10] = [
+const STATUS_NAMES: [(Status, &CStr); 11] = [
     (Status::Ok, c"ok"),
     (Status::InvalidArgument, c"invalid argument"),
     (Status::InvalidMesh, c"invalid mesh"),
@@ -49,6 +49,7 @@ const STATUS_NAMES: [(Status, &CStr); 10] = [
     (Status::Cancelled, c"cancelled"),
     (Status::TooLarge, c"too large"),
     (Status::Internal, c"internal"),
+    (Status::LimitReached, c"limit reached"),
 ];
 
 /// Names a status, for example "invalid mesh".
