@@ -40,8 +40,12 @@ impl SurfacePoint {
             let message = format!("is where a point lies, but the mesh has {} triangles", mesh.triangle_count());
             return Err(Error::at(Reason::BadArgument, Element::Face(u64::from(self.face)), message));
         };
-        let corners = triangle.map(|v| mesh.positions()[v as usize]);
-        Ok([0, 1, 2].map(|axis| self.between(corners.map(|corner| corner[axis]))))
+        Ok(self.place(triangle.map(|v| mesh.positions()[v as usize])))
+    }
+
+    /// Where it lies in a triangle with these corners.
+    pub(super) fn place(&self, corners: [[f64; 3]; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|axis| self.between(corners.map(|corner| corner[axis])))
     }
 
     /// Σ wᵢ xᵢ over the corners with a weight, kept between the least and the greatest of their xᵢ.
