@@ -5,10 +5,10 @@
 //!
 //! q - a = x e + y,   c - a = s e + g,   w_c = y·g / g·g,   w_b = x - s w_c,   w_a = (1 - x) - (1 - s) w_c.
 //!
-//! Where all three weights are positive by more than their rounding, they are those of the nearest place. Elsewhere it is
-//! the best of the three sides, each seen from the same end in every triangle: what is nearest to an edge or a vertex is
-//! so in each of its triangles, to the bit. Of a triangle without area only sides are left. Because e is the longest side
-//! and y and g have lost their part along it, a needle's place keeps its digits: no cross product is divided by an area.
+//! Where all three weights are positive by more than their rounding, they are those of the nearest place. Else it is on a
+//! side opposite to one that is not. A side is seen from the same end in each of its triangles, so what is nearest to an
+//! edge or a vertex is so in all of them, to the bit. Because e is the longest side, and y and g have lost their part
+//! along it, a needle's place keeps its digits; of a triangle without area only the sides are left.
 //!
 //! Squared distances are of the place that is returned, which lies in its box; rounding is monotonic, so a box is never
 //! farther than what is in it, and the answer does not depend on the tree.
@@ -167,19 +167,15 @@ impl Candidate {
 
 impl Facet {
     fn nearest(&self, query: [f64; 3]) -> Candidate {
-        if let Some(barycentric) = inside(self.corners, query) {
-            return self.candidate(barycentric, query);
-        }
-        let [first, second, third] = [0, 1, 2].map(|k| {
-            let ends = [k, (k + 1) % 3];
-            let [from, to] = on_side(ends.map(|i| self.corners[i]), query);
+        let weights = plane_weights(self.corners, query);
+        let sides = (0..3).filter(|&k| weights[k] == 0.0).map(|k| {
+            let [from, to] = [(k + 1) % 3, (k + 2) % 3];
             let mut barycentric = [0.0; 3];
-            barycentric[ends[0]] = from;
-            barycentric[ends[1]] = to;
+            [barycentric[from], barycentric[to]] = side_weights([self.corners[from], self.corners[to]], query);
             self.candidate(barycentric, query)
         });
-        let better = |a: Candidate, b: Candidate| if b.rank() < a.rank() { b } else { a };
-        better(better(first, second), third)
+        let on_side = sides.reduce(|best, next| if next.rank() < best.rank() { next } else { best });
+        on_side.unwrap_or_else(|| self.candidate(weights, query))
     }
 
     fn candidate(&self, barycentric: [f64; 3], query: [f64; 3]) -> Candidate {
@@ -206,8 +202,10 @@ fn nearest(tree: &RTree<Facet>, query: [f64; 3]) -> Option<SurfacePoint> {
 /// A share of the lengths in a formula that its rounding does not exceed.
 const ROUNDING: f64 = 1.0 / (1u64 << 49) as f64;
 
-/// The weights of the place nearest to `query` if it lies inside the triangle by more than rounding.
-fn inside(corners: [[f64; 3]; 3], query: [f64; 3]) -> Option<[f64; 3]> {
+/// The weights of the projection of `query` onto the triangle's plane; 0 where one is not above 0 by more than rounding.
+///
+/// The nearest place is the projection, or on a side that is opposite to a 0.
+fn plane_weights(corners: [[f64; 3]; 3], query: [f64; 3]) -> [f64; 3] {
     let squares = [0, 1, 2].map(|k| square(minus(corners[(k + 1) % 3], corners[k])));
     let longest = if squares[0] >= squares[1].max(squares[2]) { 0 } else { 1 + usize::from(squares[2] > squares[1]) };
     let [a, b, c] = [0, 1, 2].map(|k| corners[(longest + k) % 3]);
@@ -220,24 +218,21 @@ fn inside(corners: [[f64; 3]; 3], query: [f64; 3]) -> Option<[f64; 3]> {
     let (x, rest) = split(minus(query, a));
     let w = dot(rest, height) / square(height);
     let weights = [(1.0 - x) - (1.0 - s) * w, x - s * w, w];
-    // Not so where there is no area and the weights are not numbers.
-    if !weights.iter().all(|&weight| weight > 0.0) {
-        return None;
-    }
+
+    let [length, height, rest] = [side, height, rest].map(|v| square(v).sqrt());
+    let reach = length.max(square(minus(query, a)).sqrt());
     // The direction of the height is off by the rounding of the side over the height, and tilts the rest.
-    let tilt = (square(side) / square(height)).sqrt();
-    let reach = square(minus(query, a)).max(square(side)).sqrt();
-    let across = ROUNDING * (reach + tilt * square(rest).sqrt()) / square(height).sqrt();
-    let along = ROUNDING * reach / square(side).sqrt();
+    let across = ROUNDING * (reach + rest * length / height) / height;
+    let along = ROUNDING * reach / length;
     let errors = [along + (1.0 - s) * across, along + s * across, across];
-    let is_inside = weights.into_iter().zip(errors).all(|(weight, error)| weight > error);
-    is_inside.then(|| [0, 1, 2].map(|k| weights[(k + 3 - longest) % 3]))
+    // Without area the weights are not numbers, and above nothing.
+    [0, 1, 2].map(|k| (k + 3 - longest) % 3).map(|k| if weights[k] > errors[k] { weights[k] } else { 0.0 })
 }
 
 /// The weights of the ends of a side at its place nearest to `query`; the same in every triangle, whichever end is first.
-fn on_side([a, b]: [[f64; 3]; 2], query: [f64; 3]) -> [f64; 2] {
+fn side_weights([a, b]: [[f64; 3]; 2], query: [f64; 3]) -> [f64; 2] {
     if a > b {
-        let [to_b, to_a] = on_side([b, a], query);
+        let [to_b, to_a] = side_weights([b, a], query);
         return [to_a, to_b];
     }
     let side = minus(b, a);

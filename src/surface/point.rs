@@ -51,10 +51,12 @@ impl SurfacePoint {
     /// Σ wᵢ xᵢ over the corners with a weight, kept between the least and the greatest of their xᵢ.
     fn between(&self, x: [f64; 3]) -> f64 {
         let [mut sum, mut low, mut high] = [0.0, f64::INFINITY, f64::NEG_INFINITY];
-        for (w, x) in self.barycentric.into_iter().zip(x).filter(|&(w, _)| w != 0.0) {
-            sum += w * x;
-            low = x.min(low);
-            high = x.max(high);
+        for (&w, &x) in self.barycentric.iter().zip(&x) {
+            if w != 0.0 {
+                sum += w * x;
+                low = x.min(low);
+                high = x.max(high);
+            }
         }
         // f64::clamp would panic for weights that are all 0, f64::min and max leave the sign of a zero open.
         if sum < low {
