@@ -114,6 +114,7 @@ static void null_is_an_error(void) {
     taut_heat *heat = NULL;
     taut_exact_field *field = NULL;
     taut_curves *curves = (taut_curves *)&failures;
+    taut_closest *closest = (taut_closest *)&failures;
     double d[5], t;
     const taut_output out = {.data = d, .count = 5};
     const taut_time_step step = {.value = 1};
@@ -145,6 +146,9 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_curves_barycentrics(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_curves_closed(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_curves_levels(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_closest_new(NULL, &closest), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(closest == NULL);
+    CHECK_FAILS(taut_closest_points(NULL, positions, out, out, out), TAUT_REASON_NULL_POINTER, 0, 0);
 
     mesh = rectangle();
     CHECK_FAILS(taut_time_step_value(mesh, step, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -157,6 +161,7 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_isolines_new(mesh, values, (taut_input){.count = 1}, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(strstr(taut_last_error(NULL), "levels") != NULL);
     CHECK_FAILS(taut_isolines_new(mesh, values, values, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_closest_new(mesh, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     taut_mesh_free(mesh);
 
     CHECK(taut_mesh_vertex_count(NULL) == 0 && taut_mesh_triangle_count(NULL) == 0);
@@ -171,6 +176,7 @@ static void null_is_an_error(void) {
     taut_exact_field_free(NULL);
     taut_heat_free(NULL);
     taut_curves_free(NULL);
+    taut_closest_free(NULL);
 }
 
 static void empty_mesh(void) {
@@ -941,6 +947,69 @@ static void curves_fill_views_whole_or_not_at_all(void) {
     taut_curves_free(curves);
 }
 
+static taut_closest *closest_rectangle(void) {
+    taut_mesh *mesh = rectangle();
+    taut_closest *closest = NULL;
+    CHECK(taut_closest_new(mesh, &closest) == TAUT_STATUS_OK);
+    taut_mesh_free(mesh); /* before the use of what was made from it */
+    return closest;
+}
+
+static void closest_points(void) {
+    taut_closest *closest = closest_rectangle();
+    /* Above the inside, above the diagonal, beside a side, beyond a corner. */
+    const float points[] = {1, 1, 2, 1.5f, 2, -1, 5, 3, 0, -3, -4, 0};
+    uint16_t faces[4];
+    double w[12], d[4];
+    CHECK(taut_closest_points(closest, (taut_input){.data = points, .count = 4, .type = TAUT_TYPE_F32},
+                              (taut_output){.data = faces, .count = 4, .type = TAUT_TYPE_U16},
+                              (taut_output){.data = w, .count = 4},
+                              (taut_output){.data = d, .count = 4}) == TAUT_STATUS_OK);
+    CHECK(faces[0] == 0 && faces[1] == 0 && faces[2] == 1 && faces[3] == 0);
+    CHECK(d[0] == 2 && d[1] == 1 && d[2] == 2 && d[3] == 5);
+    CHECK(fabs(w[0] - 5.0 / 12) < 1e-15 && fabs(w[1] - 1.0 / 3) < 1e-15 && fabs(w[2] - 0.25) < 1e-15);
+    CHECK(w[3] == 0 && w[4] == 0.5 && w[5] == 0.5);
+    CHECK(w[6] == 0.25 && w[7] == 0.75 && w[8] == 0);
+    CHECK(w[9] == 1 && w[10] == 0 && w[11] == 0);
+    CHECK(taut_closest_points(closest, (taut_input){0}, (taut_output){0}, (taut_output){0}, (taut_output){0}) ==
+          TAUT_STATUS_OK);
+    taut_closest_free(closest);
+
+    taut_mesh *empty = NULL;
+    CHECK(taut_mesh_new((taut_input){0}, (taut_input){0}, &empty) == TAUT_STATUS_OK);
+    closest = (taut_closest *)&failures; /* must be overwritten */
+    CHECK_FAILS(taut_closest_new(empty, &closest), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(closest == NULL);
+    taut_mesh_free(empty);
+}
+
+static void closest_points_fill_all_views_or_none(void) {
+    taut_closest *closest = closest_rectangle();
+    double points[] = {1, 1, 2, 5, 3, 0}, w[6], d[2];
+    uint32_t f[2] = {77, 77};
+    for (size_t i = 0; i < 6; i++) w[i] = -1;
+    for (size_t i = 0; i < 2; i++) d[i] = -1;
+    const taut_input from = {.data = points, .count = 2};
+    const taut_output faces = {.data = f, .count = 2}, weights = {.data = w, .count = 2}, far = {.data = d, .count = 2};
+    taut_output bad = faces;
+    bad.count = 1;
+    CHECK_FAILS(taut_closest_points(closest, from, bad, weights, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    bad = weights;
+    bad.count = 1;
+    CHECK_FAILS(taut_closest_points(closest, from, faces, bad, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK(strstr(taut_last_error(NULL), "barycentrics") != NULL);
+    bad = far;
+    bad.type = TAUT_TYPE_U32;
+    CHECK_FAILS(taut_closest_points(closest, from, faces, weights, bad), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(strstr(taut_last_error(NULL), "distances") != NULL);
+    points[5] = NAN;
+    CHECK_FAILS(taut_closest_points(closest, from, faces, weights, far), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT,
+                1);
+    CHECK(f[0] == 77 && f[1] == 77 && d[0] == -1 && d[1] == -1);
+    for (size_t i = 0; i < 6; i++) CHECK(w[i] == -1);
+    taut_closest_free(closest);
+}
+
 int main(void) {
     before_any_failure();
     versions_and_names();
@@ -966,6 +1035,8 @@ int main(void) {
     lines();
     lines_that_make_no_sense();
     curves_fill_views_whole_or_not_at_all();
+    closest_points();
+    closest_points_fill_all_views_or_none();
     if (failures) fprintf(stderr, "%d checks failed\n", failures);
     return failures ? 1 : 0;
 }

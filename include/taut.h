@@ -190,6 +190,8 @@ enum taut_element
     TAUT_ELEMENT_LINE = 5,
     /** A row of the levels. */
     TAUT_ELEMENT_LEVEL = 6,
+    /** A row of the points. */
+    TAUT_ELEMENT_POINT = 7,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -198,6 +200,9 @@ typedef enum taut_element taut_element;
 typedef int32_t taut_element;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
+
+/** A mesh prepared for questions of what is nearest to a point in space. Serves any number of calls. */
+typedef struct taut_closest taut_closest;
 
 /** Watches, limits and cancels a long call from any thread. */
 typedef struct taut_control taut_control;
@@ -1101,6 +1106,44 @@ taut_status taut_curves_levels(const taut_curves *curves,
 
 /** Frees curves; NULL is fine. */
 void taut_curves_free(taut_curves *curves);
+
+/**
+ * Prepares a mesh for questions of what is nearest to a point in space, such as a click or a cursor.
+ *
+ * - `mesh`: not NULL; it may be freed afterwards.
+ * - `out`: receives the prepared mesh, to be freed with `taut_closest_free`; NULL on failure.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT where the mesh has no triangles, or only ignored ones. Cost: O(F log F) time, 0.1 kB
+ * for each triangle. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_closest_new(const taut_mesh *mesh, taut_closest **out);
+
+/**
+ * Finds the place on the surface that is nearest to each of some points in space.
+ *
+ * Of places that are equally near, one inside a triangle goes before one on an edge, that before a vertex; then the least
+ * triangle counts. So a point nearest to an edge or a vertex gets the least of its triangles.
+ *
+ * - `closest`: not NULL.
+ * - `points`: rows of three real numbers, in mesh units, finite.
+ * - `faces`: rows of one index, at least as many as there are points: the triangle in which the place lies.
+ * - `barycentrics`: rows of three real numbers, at least as many: the weights of the triangle's corners, not negative,
+ *   their sum 1; 0 at the corner opposite the edge on which the place lies, and at both others if it is a vertex.
+ * - `distances`: rows of one real number, at least as many: the straight distance in mesh units, INFINITY where it
+ *   exceeds the largest `double`.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT naming the point that is not finite, or where a face exceeds the type;
+ * TAUT_REASON_BUFFER_TOO_SMALL. On failure nothing is written. Cost: about O(log F) for a point, O(F log F) for one with
+ * all triangles equally near. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_closest_points(const taut_closest *closest,
+                                taut_input points,
+                                taut_output faces,
+                                taut_output barycentrics,
+                                taut_output distances);
+
+/** Frees a prepared mesh; NULL is fine. */
+void taut_closest_free(taut_closest *closest);
 
 #ifdef __cplusplus
 }  // extern "C"

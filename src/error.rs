@@ -132,6 +132,8 @@ pub enum Element {
     Line(u64),
     /// An entry of the list of levels.
     Level(u64),
+    /// An entry of a list of points.
+    Point(u64),
 }
 
 impl fmt::Display for Element {
@@ -143,6 +145,7 @@ impl fmt::Display for Element {
             Element::Target(i) => write!(out, "target {i}"),
             Element::Line(i) => write!(out, "line {i}"),
             Element::Level(i) => write!(out, "level {i}"),
+            Element::Point(i) => write!(out, "point {i}"),
         }
     }
 }

@@ -52,6 +52,7 @@ pub use mesh::input::{ElementType, Faces, IndexType, Rows, ScalarType};
 pub use mesh::io::MeshFormat;
 pub use mesh::shapes;
 pub use report::{Angle, BoundaryLoop, Component, MeshReport, Properties};
+pub use surface::closest::{Closest, ClosestPoint};
 pub use surface::isoline::{Isoline, MAX_LEVELS, even_levels, isolines, spaced_levels};
 pub use surface::point::{Curve, Source, SurfacePoint};
 

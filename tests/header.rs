@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// In the order of the manual.
-const SOURCES: [&str; 10] = [
+const SOURCES: [&str; 11] = [
     "src/ffi/version.rs",
     "src/error.rs",
     "src/ffi/guard.rs",
@@ -15,6 +15,7 @@ const SOURCES: [&str; 10] = [
     "src/ffi/heat.rs",
     "src/ffi/exact.rs",
     "src/ffi/surface.rs",
+    "src/ffi/closest.rs",
 ];
 
 fn generate(root: &Path) -> String {

@@ -143,6 +143,7 @@ fn outside_crates_stay_in_their_modules() {
         ("sprs_ldl::", "linear"),
         ("tobj::", "mesh"),
         ("flate2::", "mesh"),
+        ("rstar::", "surface"),
         ("libc::", "ffi"),
         ("unsafe ", "ffi"),
     ];

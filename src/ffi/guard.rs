@@ -112,6 +112,8 @@ pub enum taut_element {
     Line = 5,
     /// A row of the levels.
     Level = 6,
+    /// A row of the points.
+    Point = 7,
 }
 
 /// The last failure in detail.
@@ -172,6 +174,7 @@ fn error_detail(error: &Error) -> taut_error {
         Some(Element::Target(i)) => (taut_element::Target, i),
         Some(Element::Line(i)) => (taut_element::Line, i),
         Some(Element::Level(i)) => (taut_element::Level, i),
+        Some(Element::Point(i)) => (taut_element::Point, i),
     };
     taut_error {
         struct_size: size_of::<taut_error>(),

@@ -189,8 +189,7 @@ impl taut_output {
     /// # Safety
     /// The view describes writable memory that nobody else uses during the call.
     pub(super) unsafe fn write_scalars<const WIDTH: usize>(self, rows: &[[f64; WIDTH]], name: &str) -> Result<()> {
-        let kind = scalar_type(self.r#type, name)?;
-        let layout = self.layout::<WIDTH, _>(rows.len(), kind, name)?;
+        let (kind, layout) = self.scalar_layout::<WIDTH>(rows.len(), name)?;
         // SAFETY: the layout is checked against the view, and the caller promises writable memory.
         unsafe {
             match kind {
@@ -200,6 +199,12 @@ impl taut_output {
             }
         }
         Ok(())
+    }
+
+    /// Whether `needed` rows of real numbers can be written; asked first where one call fills several views.
+    pub(super) fn scalar_layout<const WIDTH: usize>(self, needed: usize, name: &str) -> Result<(ScalarType, Layout)> {
+        let kind = scalar_type(self.r#type, name)?;
+        Ok((kind, self.layout::<WIDTH, _>(needed, kind, name)?))
     }
 
     /// Writes rows of indices, all or none.
@@ -250,7 +255,7 @@ impl taut_output {
 }
 
 /// Where the rows of a view lie.
-struct Layout {
+pub(super) struct Layout {
     /// Bytes from one row to the next.
     stride: usize,
     /// Bytes from the first to past the last.

@@ -1,4 +1,5 @@
-//! Things on the surface: sources, points, curves and isolines; later paths and comparisons.
+//! Things on the surface: sources, points, the closest place, curves and isolines; later paths and comparisons.
 
+pub(crate) mod closest;
 pub(crate) mod isoline;
 pub(crate) mod point;

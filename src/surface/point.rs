@@ -40,17 +40,23 @@ impl SurfacePoint {
             let message = format!("is where a point lies, but the mesh has {} triangles", mesh.triangle_count());
             return Err(Error::at(Reason::BadArgument, Element::Face(u64::from(self.face)), message));
         };
-        let corners = triangle.map(|v| mesh.positions()[v as usize]);
-        Ok([0, 1, 2].map(|axis| self.between(corners.map(|corner| corner[axis]))))
+        Ok(self.place(triangle.map(|v| mesh.positions()[v as usize])))
+    }
+
+    /// Where it lies in a triangle with these corners.
+    pub(super) fn place(&self, corners: [[f64; 3]; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|axis| self.between(corners.map(|corner| corner[axis])))
     }
 
     /// Σ wᵢ xᵢ over the corners with a weight, kept between the least and the greatest of their xᵢ.
     fn between(&self, x: [f64; 3]) -> f64 {
         let [mut sum, mut low, mut high] = [0.0, f64::INFINITY, f64::NEG_INFINITY];
-        for (w, x) in self.barycentric.into_iter().zip(x).filter(|&(w, _)| w != 0.0) {
-            sum += w * x;
-            low = x.min(low);
-            high = x.max(high);
+        for (&w, &x) in self.barycentric.iter().zip(&x) {
+            if w != 0.0 {
+                sum += w * x;
+                low = x.min(low);
+                high = x.max(high);
+            }
         }
         // f64::clamp would panic for weights that are all 0, f64::min and max leave the sign of a zero open.
         if sum < low {
