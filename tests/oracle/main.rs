@@ -33,7 +33,14 @@ fn disagreement(soup: &Soup) -> (f64, [usize; 2]) {
 #[track_caller]
 fn assert_agreement(what: &str, case: u32, soup: &Soup, tolerance: f64) {
     let (off, [a, b]) = disagreement(soup);
-    if off > tolerance { println!("DBG ours {:?} {:?} right {:?}", engine(soup)[a][b], engine(soup)[b][a], unfolding::distances(&soup.0,&soup.1)[a][b]); }
+    if off > tolerance {
+        println!(
+            "DBG ours {:?} {:?} right {:?}",
+            engine(soup)[a][b],
+            engine(soup)[b][a],
+            unfolding::distances(&soup.0, &soup.1)[a][b]
+        );
+    }
     assert!(off <= tolerance, "{what}, case {case}: {off:e} off between {a} and {b}\n{soup:?}");
 }
 
