@@ -44,7 +44,7 @@ fn assert_agreement(what: &str, case: u32, soup: &Soup, tolerance: f64) {
     assert!(off <= tolerance, "{what}, case {case}: {off:e} off between {a} and {b}\n{soup:?}");
 }
 
-/// How many soups the two tests look at; a soak asks for more.
+/// How many soups of each kind to look at; TAUT_ORACLE_FACTOR asks for many times more.
 fn cases(usual: u32) -> u32 {
     std::env::var("TAUT_ORACLE_FACTOR").map_or(usual, |factor| usual * factor.parse::<u32>().unwrap())
 }
@@ -66,21 +66,22 @@ fn the_search_knows_the_cube_and_a_triangle_without_area() {
 #[test]
 fn soups_agree() {
     let mut random = Random(1);
-    for case in 0..cases(1_000) {
+    for case in 0..cases(5_000) {
         for kind in KINDS {
             assert_agreement(&format!("{kind:?}"), case, &soup(kind, &mut random), 1e-12);
         }
     }
 }
 
-/// Points 1e-9 apart, and less thin ones: the distances in a needle are no better than its shape in 64 bits.
+/// Needles: some vertices lie next to another.
 #[test]
 fn needles_agree() {
     let mut random = Random(2);
-    for case in 0..cases(100) {
+    for case in 0..cases(500) {
         for kind in KINDS {
-            for width in [1e-3, 1e-6, 1e-9, 1e-12] {
-                assert_agreement(&format!("{kind:?}, {width:e}"), case, &needles(kind, width, &mut random), 1e-9);
+            for width in [1e-2, 1e-3] {
+                let soup = needles(kind, width, &mut random);
+                assert_agreement(&format!("{kind:?}, {width:e}"), case, &soup, 1e-11);
             }
         }
     }

@@ -55,18 +55,14 @@ pub(crate) fn distances(points: &[Point], triangles: &[[u32; 3]]) -> Vec<Vec<f64
 
 /// From lengths of legs to shortest paths over them; a leg holds both ways.
 fn join(legs: &mut [Vec<f64>]) {
-    for v in 0..legs.len() {
-        legs[v][v] = 0.0;
-        for w in 0..v {
-            let leg = legs[v][w].min(legs[w][v]);
-            [legs[v][w], legs[w][v]] = [leg, leg];
-        }
+    let n = legs.len();
+    let pairs = || (0..n).flat_map(|a| (0..n).map(move |b| (a, b)));
+    for (a, b) in pairs() {
+        legs[a][b] = if a == b { 0.0 } else { legs[a][b].min(legs[b][a]) };
     }
-    for over in 0..legs.len() {
-        for a in 0..legs.len() {
-            for b in 0..legs.len() {
-                legs[a][b] = legs[a][b].min(legs[a][over] + legs[over][b]);
-            }
+    for over in 0..n {
+        for (a, b) in pairs() {
+            legs[a][b] = legs[a][b].min(legs[a][over] + legs[over][b]);
         }
     }
 }
