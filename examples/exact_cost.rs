@@ -5,8 +5,9 @@
 //! cargo run --release --example exact_cost -- MESH FOLDER
 //! ```
 //!
-//! The source is the first vertex that a triangle uses. FOLDER receives, as raw numbers, `positions` and `distances` (64-bit
-//! floats) and `triangles` (32-bit indices).
+//! Prints the source, which is the first vertex that a triangle uses, the seconds of set-up and solve, the MB beyond the
+//! mesh at their peak, and how many windows crossed a triangle. FOLDER receives, as raw numbers, `positions` and
+//! `distances` (64-bit floats) and `triangles` (32-bit indices).
 
 use cpu_time::ProcessTime;
 use std::error::Error;
