@@ -86,3 +86,54 @@ fn needles_agree() {
         }
     }
 }
+
+/// Needles down to 1e-12. The shape of such a triangle has few digits, but a straight line through it passes its vertices
+/// as closely, so that the distances keep all of theirs.
+#[test]
+fn thin_needles_agree() {
+    let mut random = Random(5);
+    for case in 0..cases(300) {
+        for kind in KINDS {
+            for width in [1e-7, 1e-9, 1e-12] {
+                let soup = needles(kind, width, &mut random);
+                ends(&soup, &format!("{kind:?}, {width:e}, case {case}"));
+                assert_agreement(&format!("{kind:?}, {width:e}"), case, &soup, 1e-9);
+            }
+        }
+    }
+}
+
+/// Fails where the engine has no answer within ten seconds; a call that hangs cannot be cancelled, so it is left behind.
+fn ends(soup: &Soup, what: &str) {
+    let (done, is_done) = std::sync::mpsc::channel();
+    let of_thread = soup.clone();
+    std::thread::spawn(move || {
+        engine(&of_thread);
+        done.send(())
+    });
+    let answer = is_done.recv_timeout(std::time::Duration::from_secs(10));
+    assert!(answer.is_ok(), "{what}: no answer\n{soup:?}");
+}
+
+/// Two copies of a needle and a third triangle on one of its edges.
+#[test]
+fn a_folded_needle_of_three_triangles_ends() {
+    let points = vec![
+        [0.0, 1.0, 0.0],
+        [0.0, 1.0, 2.0],
+        [-2.906496794100075e-9, 1.0000000005842424, -3.401496483786648e-9],
+        [3.514876694358063e-10, 0.9999999911901645, 1.9999999893479659],
+    ];
+    ends(&(points, vec![[1, 3, 0], [1, 0, 3], [2, 3, 0]]), "three triangles");
+}
+
+/// Rays that wind around a needle are beaten by those that do not; 2π / width windows crossed these two triangles.
+#[test]
+fn rays_do_not_wind_around_a_needle() {
+    for width in [1e-3, 1e-4, 1e-5, 2e-6] {
+        let points = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, width, 0.0]];
+        let solver = ExactSolver::new(&Mesh::from_triangles(&points, &[[0, 1, 2], [2, 1, 0]]).unwrap()).unwrap();
+        let field = solver.field(&[Source::vertex(1)], &ExactOptions::default(), &Control::new()).unwrap();
+        assert!(field.windows() < 100, "width {width:e}: {} windows", field.windows());
+    }
+}
