@@ -117,7 +117,7 @@ impl Sweep<'_> {
     /// Adds a window that begins no earlier than any that was added before.
     fn add(&mut self, new: &Window) {
         let Some(old) = self.kept.last_mut() else { return self.kept.push(*new) };
-        if old.sigma == new.sigma && old.continues_in(new) {
+        if old.continues_in(new) {
             old.b1 = larger(old.b1, new.b1);
             return;
         }

@@ -117,7 +117,7 @@ impl ExactSolver {
         let mut front = Front::new(&self.0);
         for source in &sources {
             is_source[source.vertex_index() as usize] = true;
-            front.start(source.vertex_index(), self.0.scale.to_unit(source.offset() - least));
+            front.start(source.vertex_index(), self.0.scale.to_unit(source.offset() - least), 0);
         }
         let mut stop = Stop::new(units, options.radius, &options.targets);
         let (rho, ended) = front.run(&is_source, &mut stop, control);

@@ -35,22 +35,43 @@ use std::collections::{BinaryHeap, HashMap, VecDeque};
 use std::f64::consts::PI;
 
 /// The windows that wait on one half-edge.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct List {
     windows: Vec<Window>,
-    /// The shortest path to the apex over any window that arrived.
-    entry: Entry,
-    queued: bool,
+    /// The shortest path to the apex over any window that arrived, and where it crosses the edge.
+    distance: f64,
+    at: f64,
+    is_queued: bool,
     /// How often windows arrived.
     runs: u32,
 }
 
-/// The last straight piece of a path to a vertex: over the opposite half-edge h of one of its triangles, at this place.
-/// NONE for a source.
+/// Nothing waits.
+impl Default for List {
+    fn default() -> List {
+        List { windows: Vec::new(), distance: f64::INFINITY, at: 0.0, is_queued: false, runs: 0 }
+    }
+}
+
+/// The last straight piece of a path to a vertex: it comes over the opposite half-edge h of one of its triangles, at the
+/// place `at`, from what lies unfolded at (sx, -sy) in the chart of h. A source in the triangle itself has sy < 0. For a
+/// vertex that is a source h is NONE.
 #[derive(Debug, Clone, Copy)]
-struct Arrival {
-    h: u32,
-    at: f64,
+pub(crate) struct Arrival {
+    pub(crate) h: u32,
+    pub(crate) emission: u32,
+    pub(crate) at: f64,
+    pub(crate) sx: f64,
+    pub(crate) sy: f64,
+}
+
+/// A throw of windows.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Emission {
+    /// The pseudo-source that threw them, or NONE: a source that is no vertex.
+    pub(crate) vertex: u32,
+    /// The source from which the shortest path to it comes, counted as the caller does.
+    pub(crate) source: u32,
 }
 
 /// A direction this close to the wedge of directions that a path can bend into counts as in it, in radians.
@@ -63,6 +84,7 @@ pub(crate) struct Front<'a> {
     label: Vec<f64>,
     /// How the shortest path known comes to each vertex.
     arrival: Vec<Arrival>,
+    emissions: Vec<Emission>,
     /// Label of each vertex when it was last settled; +inf before.
     settled: Vec<f64>,
     /// Labelled vertices, nearest first.
@@ -89,7 +111,8 @@ impl<'a> Front<'a> {
         Front {
             solver,
             label: vec![f64::INFINITY; vertices],
-            arrival: vec![Arrival { h: NONE, at: 0.0 }; vertices],
+            arrival: vec![Arrival { h: NONE, emission: NONE, at: 0.0, sx: 0.0, sy: 0.0 }; vertices],
+            emissions: Vec::new(),
             settled: vec![f64::INFINITY; vertices],
             heap: BinaryHeap::new(),
             waiting: vec![NONE; solver.charts.len()],
@@ -103,9 +126,15 @@ impl<'a> Front<'a> {
         }
     }
 
-    /// Starts from vertex `v` at `distance`, which must not be negative.
-    pub(crate) fn start(&mut self, v: u32, distance: f64) {
-        self.relax(v, distance, Arrival { h: NONE, at: 0.0 });
+    /// Starts from vertex `v`, a source, at `distance`, which must not be negative.
+    pub(crate) fn start(&mut self, v: u32, distance: f64, source: u32) {
+        let emission = self.add_emission(v, source);
+        self.relax(v, distance, Arrival { h: NONE, emission, at: 0.0, sx: 0.0, sy: 0.0 });
+    }
+
+    fn add_emission(&mut self, vertex: u32, source: u32) -> u32 {
+        self.emissions.push(Emission { vertex, source });
+        (self.emissions.len() - 1) as u32
     }
 
     /// Propagates until nothing is left, the stopping rule is met, or the control interrupts it, which is the error. The
@@ -204,9 +233,9 @@ impl<'a> Front<'a> {
     /// Lets the list of half-edge h cross, if there is one and it is not about to anyway.
     fn enqueue(&mut self, h: u32) {
         if let Some(list) = self.lists.get_mut(self.waiting[h as usize] as usize)
-            && !list.queued
+            && !list.is_queued
         {
-            list.queued = true;
+            list.is_queued = true;
             self.queue.push_back(h);
         }
     }
@@ -215,16 +244,19 @@ impl<'a> Front<'a> {
     fn emit(&mut self, v: u32, corners: impl Iterator<Item = u32>) {
         let solver = self.solver;
         let sigma = self.label[v as usize];
+        let came = self.arrival[v as usize].emission;
+        let emission = self.add_emission(v, self.emissions[came as usize].source);
         for &h in solver.mesh.topology().corners.row(v) {
             let (opposite, back) = (next(h), prev(h));
             let back_length = solver.charts[back as usize].length;
-            let along = Arrival { h: back, at: back_length };
-            self.relax(solver.start(opposite), sigma + solver.charts[h as usize].length, along);
-            self.relax(solver.start(back), sigma + back_length, Arrival { h, at: 0.0 });
+            let from_end = Arrival { h: back, emission, at: back_length, sx: back_length, sy: 0.0 };
+            let from_start = Arrival { h, emission, at: 0.0, sx: 0.0, sy: 0.0 };
+            self.relax(solver.start(opposite), sigma + solver.charts[h as usize].length, from_end);
+            self.relax(solver.start(back), sigma + back_length, from_start);
         }
         for h in corners {
             let chart = solver.charts[next(h) as usize];
-            let window = Window { b0: 0.0, b1: chart.length, sx: chart.tx, sy: chart.ty, sigma };
+            let window = Window { b0: 0.0, b1: chart.length, sx: chart.tx, sy: chart.ty, sigma, emission };
             self.pass(next(h), chart.start, std::iter::once(window));
             if window.starts_on_edge(chart.length) {
                 self.pass_on(next(h), chart.start, window);
@@ -261,7 +293,7 @@ impl<'a> Front<'a> {
     /// angle from there to its nearer end, where the triangles close around v.
     fn wedge(&self, v: u32, corners: &mut Vec<(f64, u32)>) {
         let solver = self.solver;
-        let Arrival { h, at } = self.arrival[v as usize];
+        let Arrival { h, at, .. } = self.arrival[v as usize];
         let chart = solver.charts[h as usize];
         let first = prev(h);
         let angle = |h: u32| solver.charts[h as usize].angle;
@@ -325,14 +357,17 @@ impl<'a> Front<'a> {
         if is_mirrored {
             list.windows[before..].reverse();
             list.windows[before..].iter_mut().for_each(|window| *window = window.mirrored(chart.length));
-            entry.at = chart.length - entry.at;
+            entry = entry.mirrored(chart.length);
         }
         if entry.distance == f64::INFINITY {
             return self.release(h);
         }
-        list.entry = list.entry.min(entry);
+        if entry.distance < list.distance {
+            (list.distance, list.at) = (entry.distance, entry.at);
+        }
         list.runs += 1;
-        self.relax(apex, entry.distance, Arrival { h, at: entry.at });
+        let Entry { distance, at, sx, sy, emission } = entry;
+        self.relax(apex, distance, Arrival { h, emission, at, sx, sy });
         if self.is_settled(apex) {
             self.enqueue(h);
         }
@@ -361,11 +396,7 @@ impl<'a> Front<'a> {
     /// Moves the list of half-edge h over its triangle.
     fn cross(&mut self, h: u32) {
         let id = std::mem::replace(&mut self.waiting[h as usize], NONE);
-        let list = &mut self.lists[id as usize];
-        list.queued = false;
-        let runs = std::mem::take(&mut list.runs);
-        let mut windows = std::mem::take(&mut list.windows);
-        let entry = std::mem::take(&mut list.entry);
+        let List { mut windows, distance, at, runs, .. } = std::mem::take(&mut self.lists[id as usize]);
         let solver = self.solver;
         let chart = solver.charts[h as usize];
         let limits = self.limits(h);
@@ -379,7 +410,7 @@ impl<'a> Front<'a> {
             memory.keep_news(&mut windows, &mut self.scratch);
         }
         self.crossed += windows.len() as u64;
-        let split = self.split_point(h, entry);
+        let split = self.split_point(h, distance, at);
         let [left, right] = solver.sides(h);
         self.pass(left.h, left.origin, windows.iter().filter_map(|w| w.left_child(&left.turn, split)));
         self.pass(
@@ -410,15 +441,19 @@ impl<'a> Front<'a> {
         Limits { at_a, at_b, length: solver.charts[h as usize].length, share }
     }
 
-    /// p*: where the shortest known path over this edge to the apex crosses it. The ends of the edge count too.
-    fn split_point(&self, h: u32, entry: Entry) -> f64 {
+    /// p*: where the shortest known path over this edge to the apex crosses it: over a window, at `at`, or over an end.
+    fn split_point(&self, h: u32, distance: f64, at: f64) -> f64 {
         let solver = self.solver;
-        let over_end = |end: u32, side: u32, at: f64| {
-            let label = self.label[solver.start(end) as usize];
-            Entry { distance: label + solver.charts[side as usize].length, at }
-        };
-        let length = solver.charts[h as usize].length;
-        entry.min(over_end(h, prev(h), 0.0)).min(over_end(next(h), next(h), length)).at
+        let over_end =
+            |end: u32, side: u32| self.label[solver.start(end) as usize] + solver.charts[side as usize].length;
+        let (over_a, over_b) = (over_end(h, prev(h)), over_end(next(h), next(h)));
+        if over_a < distance && over_a <= over_b {
+            0.0
+        } else if over_b < distance {
+            solver.charts[h as usize].length
+        } else {
+            at
+        }
     }
 }
 

@@ -13,6 +13,7 @@
 //! Surazhsky, Surazhsky, Kirsanov, Gortler, Hoppe, "Fast exact and approximate geodesics on meshes", ACM TOG 24 (2005).
 
 use super::charts::Chart;
+use crate::mesh::topology::NONE;
 
 /// A stretch of an edge and where the rays through it come from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,6 +23,8 @@ pub(crate) struct Window {
     pub(crate) sx: f64,
     pub(crate) sy: f64,
     pub(crate) sigma: f64,
+    /// Of which throw of windows it is a part: what its rays come from.
+    pub(crate) emission: u32,
 }
 
 /// A pseudo-source nearer to an edge than this share of its length lies on it.
@@ -30,24 +33,29 @@ const ON_EDGE: f64 = 1e-10;
 /// Places that differ by this share of their distance are the same, up to the rounding of many crossings.
 const SAME: f64 = 1e-13;
 
-/// The least distance of an apex over a window, and the point of the edge that its path crosses.
+/// The least distance of a point over a window, the place of the edge where its path crosses, and from where it comes
+/// there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Entry {
     pub(crate) distance: f64,
     pub(crate) at: f64,
+    /// As in the window.
+    pub(crate) sx: f64,
+    pub(crate) sy: f64,
+    pub(crate) emission: u32,
 }
 
 /// No path yet.
 impl Default for Entry {
     fn default() -> Entry {
-        Entry { distance: f64::INFINITY, at: 0.0 }
+        Entry { distance: f64::INFINITY, at: 0.0, sx: 0.0, sy: 0.0, emission: NONE }
     }
 }
 
 impl Entry {
-    /// The shorter of two paths.
-    pub(crate) fn min(self, other: Entry) -> Entry {
-        if other.distance < self.distance { other } else { self }
+    /// As seen from the other end of its edge.
+    pub(crate) fn mirrored(&self, length: f64) -> Entry {
+        Entry { at: length - self.at, sx: length - self.sx, ..*self }
     }
 }
 
@@ -68,7 +76,10 @@ impl Window {
     pub(crate) fn continues_in(&self, next: &Window) -> bool {
         let near = SAME * (self.sx.abs() + self.sy + self.b1);
         let is_near = |a: f64, b: f64| (a - b).abs() <= near;
-        self.sigma == next.sigma && next.b0 <= self.b1 + near && is_near(self.sx, next.sx) && is_near(self.sy, next.sy)
+        self.emission == next.emission
+            && next.b0 <= self.b1 + near
+            && is_near(self.sx, next.sx)
+            && is_near(self.sy, next.sy)
     }
 
     /// Whether the pseudo-source lies on the edge itself, where rounding decides which way it looks.
@@ -90,16 +101,18 @@ impl Window {
         }
         // The straight line to the apex meets the line of the edge at cross / height.
         let cross = self.sy * chart.tx + self.sx * chart.ty;
+        let entry = |distance: f64, at: f64| Entry { distance, at, sx: self.sx, sy: self.sy, emission: self.emission };
         let bent = |at: f64| {
             let dx = chart.tx - at;
-            best.min(Entry { distance: self.distance(at) + (dx * dx + chart.ty * chart.ty).sqrt(), at })
+            let distance = self.distance(at) + (dx * dx + chart.ty * chart.ty).sqrt();
+            if distance < best.distance { entry(distance, at) } else { best }
         };
         if cross < self.b0 * height {
             bent(self.b0)
         } else if cross > self.b1 * height {
             bent(self.b1)
         } else {
-            Entry { distance: straight, at: cross / height }
+            entry(straight, cross / height)
         }
     }
 
@@ -122,7 +135,7 @@ impl Window {
         };
         let (b0, b1) = (hit(self.b0), hit(last));
         let [sx, sy] = turn.source(self.sx, self.sy);
-        (b0 < b1).then_some(Window { b0, b1, sx, sy, sigma: self.sigma })
+        (b0 < b1).then_some(Window { b0, b1, sx, sy, sigma: self.sigma, emission: self.emission })
     }
 
     /// The window that this one throws, through its part beyond `limit`, on the side from the chart's apex to its end;
@@ -142,7 +155,7 @@ impl Window {
         };
         let (b0, b1) = (hit(first), hit(self.b1));
         let [sx, sy] = turn.source(sx, self.sy);
-        (b0 < b1).then_some(Window { b0, b1, sx: turn.side - sx, sy, sigma: self.sigma })
+        (b0 < b1).then_some(Window { b0, b1, sx: turn.side - sx, sy, sigma: self.sigma, emission: self.emission })
     }
 }
 
