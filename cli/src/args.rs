@@ -251,7 +251,7 @@ impl ExactArgs {
     /// The library's options, its defaults where nothing was given.
     pub(crate) fn options(&self, targets: Vec<u32>) -> ExactOptions {
         let default = ExactOptions::default();
-        ExactOptions { targets, radius: self.radius.unwrap_or(default.radius), allow_partial: self.partial }
+        ExactOptions { targets, radius: self.radius.unwrap_or(default.radius), allow_partial: self.partial, ..default }
     }
 
     /// Sets the limits; the time begins now.

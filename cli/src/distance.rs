@@ -138,7 +138,7 @@ fn draw<'a>(
     distances: &[f64],
     reference: Option<&[f64]>,
 ) -> Result<Option<Output<'a>>> {
-    let sources = input::places(sources, mesh);
+    let sources = input::places(sources, mesh)?;
     let errors = reference.map(|reference| comparison::percents(distances, reference));
     let (quantity, values) = match &errors {
         Some(errors) => (Quantity::Error, &errors[..]),

@@ -31,9 +31,9 @@ pub(crate) fn sources(args: &FieldArgs) -> Result<Vec<Source>> {
     }
 }
 
-/// Where the sources lie; they have been found to be vertices of the mesh.
-pub(crate) fn places(sources: &[Source], mesh: &Mesh) -> Vec<[f64; 3]> {
-    sources.iter().map(|source| mesh.positions()[source.vertex_index() as usize]).collect()
+/// Where the sources lie.
+pub(crate) fn places(sources: &[Source], mesh: &Mesh) -> Result<Vec<[f64; 3]>> {
+    sources.iter().map(|source| source.position(mesh).map_err(|error| error.to_string())).collect()
 }
 
 /// The numbers of a file that must have one for each vertex of the mesh; `what` each is called in messages.

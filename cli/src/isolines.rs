@@ -182,7 +182,7 @@ pub(crate) fn run(args: &IsolinesArgs) -> Result<()> {
             mesh: &mesh,
             quantity,
             values: &values,
-            sources: &input::places(&sources, &mesh),
+            sources: &input::places(&sources, &mesh)?,
             levels: Some(&found.levels),
             lines: &[],
         },

@@ -13,7 +13,7 @@
 
 use crate::mesh::Mesh;
 use crate::mesh::fan::{Fan, fan};
-use crate::mesh::topology::NONE;
+use crate::mesh::topology::{NONE, next, prev};
 use crate::metric::{Scale, cross, dot, minus};
 use std::f64::consts::PI;
 
@@ -31,6 +31,14 @@ pub(crate) struct Chart {
     pub(crate) start: u32,
     /// The other half-edge on the edge, NONE at the boundary, or SEVERAL.
     pub(crate) twin: u32,
+}
+
+impl Chart {
+    /// Where the point of its triangle with these weights lies in the chart of half-edge h.
+    pub(crate) fn place(&self, h: u32, weights: [f64; 3]) -> [f64; 2] {
+        let [at_end, at_apex] = [next(h), prev(h)].map(|corner| weights[(corner % 3) as usize]);
+        [at_end * self.length + at_apex * self.tx, at_apex * self.ty]
+    }
 }
 
 /// In place of a twin where an edge has more than two triangles.

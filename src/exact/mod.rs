@@ -14,17 +14,19 @@ mod charts;
 mod envelope;
 mod propagate;
 mod stop;
+mod trace;
 mod window;
 
 use crate::control::Control;
 use crate::error::{Element, Error, Reason, Result};
 use crate::mesh::Mesh;
 use crate::metric::Scale;
-use crate::surface::point::Source;
+use crate::surface::point::{Curve, Place, Source, SurfacePoint};
 use charts::{Bend, Chart};
-use propagate::Front;
+use propagate::{Found, Front};
 use std::sync::Arc;
 use stop::{Stop, Units};
+use trace::Trace;
 
 /// A mesh prepared for exact distances. Clones share the preparation; any number of threads may use one.
 ///
@@ -64,21 +66,26 @@ pub struct ExactOptions {
     /// Whether work that is cancelled or reaches a limit of its [`Control`] succeeds with the distances that are final
     /// by then; else, the default, it fails.
     pub allow_partial: bool,
+    /// Whether the field keeps its windows, which distances and paths of points that are no vertices need: about 50 bytes
+    /// for each of [`ExactField::windows`].
+    pub keep_windows: bool,
 }
 
 impl Default for ExactOptions {
     fn default() -> ExactOptions {
-        ExactOptions { targets: Vec::new(), radius: f64::INFINITY, allow_partial: false }
+        ExactOptions { targets: Vec::new(), radius: f64::INFINITY, allow_partial: false, keep_windows: false }
     }
 }
 
-/// The exact distances from one set of sources.
-#[derive(Debug, Clone, PartialEq)]
+/// The exact distances from one set of sources, and the shortest paths to them.
+#[derive(Debug, Clone)]
 pub struct ExactField {
+    solver: Arc<Prepared>,
+    units: Units,
+    found: Arc<Found>,
     distances: Vec<f64>,
     final_radius: f64,
     interruption: Option<Error>,
-    windows: u64,
 }
 
 impl ExactSolver {
@@ -106,28 +113,32 @@ impl ExactSolver {
     /// [`Reason::BadArgument`] for a radius that is negative or NaN; unless `allow_partial` is set,
     /// [`Reason::Cancelled`], [`Reason::TimeLimit`], [`Reason::MemoryLimit`].
     pub fn field(&self, sources: &[Source], options: &ExactOptions, control: &Control) -> Result<ExactField> {
-        let vertices = self.0.mesh.vertex_count();
-        let sources = Source::checked(sources, vertices)?;
-        check_targets(&options.targets, vertices)?;
+        let mesh = &self.0.mesh;
+        let seeds = Source::checked(sources, mesh)?;
+        check_targets(&options.targets, mesh.vertex_count())?;
         check_radius(options.radius)?;
         // Start distances count from the least one, so that no label is negative.
-        let least = sources.iter().map(|source| source.offset()).fold(f64::INFINITY, f64::min);
+        let least = seeds.iter().map(|seed| seed.offset).fold(f64::INFINITY, f64::min);
         let units = Units { scale: self.0.scale, least };
-        let mut is_source = vec![false; vertices];
         let mut front = Front::new(&self.0);
-        for source in &sources {
-            is_source[source.vertex_index() as usize] = true;
-            front.start(source.vertex_index(), self.0.scale.to_unit(source.offset() - least), 0);
+        if options.keep_windows {
+            front.keep_windows();
+        }
+        for seed in &seeds {
+            let distance = self.0.scale.to_unit(seed.offset - least);
+            match &seed.place {
+                Place::Vertex(v) => front.start(*v, distance, seed.source),
+                Place::Face(point) => front.start_inside(point, distance, seed.source),
+            }
         }
         let mut stop = Stop::new(units, options.radius, &options.targets);
-        let (rho, ended) = front.run(&is_source, &mut stop, control);
+        let (rho, ended) = front.run(&mut stop, control);
         let interruption = match ended {
             Err(error) if !options.allow_partial => return Err(error),
             ended => ended.err(),
         };
-        let windows = front.crossed();
-        let mut distances = front.into_labels();
-        distances.iter_mut().for_each(|d| *d = units.to_mesh(*d));
+        let found = front.finish();
+        let mut distances: Vec<f64> = found.label.iter().map(|&label| units.to_mesh(label)).collect();
         let final_radius = units.final_radius(rho).min(options.radius);
         let mut is_cut = rho < f64::INFINITY;
         for d in distances.iter_mut().filter(|d| **d > final_radius) {
@@ -135,7 +146,7 @@ impl ExactSolver {
             *d = f64::INFINITY;
         }
         let final_radius = if is_cut { final_radius } else { f64::INFINITY };
-        Ok(ExactField { distances, final_radius, interruption, windows })
+        Ok(ExactField { solver: self.0.clone(), units, found: Arc::new(found), distances, final_radius, interruption })
     }
 }
 
@@ -182,6 +193,82 @@ impl ExactField {
     /// How many windows crossed a triangle: a measure of the work that does not depend on the machine.
     #[must_use]
     pub fn windows(&self) -> u64 {
-        self.windows
+        self.found.crossed
+    }
+
+    /// Distance of a point of the surface in mesh units; +inf where no source reaches, and beyond
+    /// [`ExactField::final_radius`]. It costs about as much as 50 windows do.
+    ///
+    /// # Errors
+    /// [`Reason::BadArgument`] where the mesh has no such point, and for one that is no vertex where the field did not
+    /// [keep its windows](ExactOptions::keep_windows).
+    pub fn distance(&self, point: &SurfacePoint) -> Result<f64> {
+        Ok(self.within(self.trace().distance(self.place(point)?)))
+    }
+
+    /// The source that is nearest to each vertex, by its number in the list of sources; None where no source reaches, and
+    /// beyond [`ExactField::final_radius`].
+    pub fn nearest_sources(&self) -> impl Iterator<Item = Option<u32>> {
+        let is_final = |d: f64| d < f64::INFINITY;
+        (0..)
+            .zip(&self.distances)
+            .map(move |(v, &d)| self.trace().nearest_source(Place::Vertex(v)).filter(|_| is_final(d)))
+    }
+
+    /// The source that is nearest to a point, by its number in the list of sources; None where no source reaches, and
+    /// beyond [`ExactField::final_radius`].
+    ///
+    /// # Errors
+    /// As [`ExactField::distance`].
+    pub fn nearest_source(&self, point: &SurfacePoint) -> Result<Option<u32>> {
+        let place = self.place(point)?;
+        let is_final = self.within(self.trace().distance(place)) < f64::INFINITY;
+        Ok(self.trace().nearest_source(place).filter(|_| is_final))
+    }
+
+    /// The shortest path from a point back to its nearest source, as long as its distance less the start distance. None
+    /// where no source reaches, and beyond [`ExactField::final_radius`].
+    ///
+    /// # Errors
+    /// As [`ExactField::distance`].
+    pub fn path(&self, point: &SurfacePoint) -> Result<Option<Curve>> {
+        let place = self.place(point)?;
+        if self.within(self.trace().distance(place)) == f64::INFINITY {
+            return Ok(None);
+        }
+        Ok(self.trace().path(place).map(|points| Curve { points, is_closed: false }))
+    }
+
+    /// The shortest path from a vertex back to its nearest source, as [`ExactField::path`].
+    ///
+    /// # Errors
+    /// [`Reason::VertexOutOfRange`].
+    pub fn path_from_vertex(&self, v: u32) -> Result<Option<Curve>> {
+        match self.distances.get(v as usize) {
+            None => {
+                let message = format!("there is no vertex {v}, the mesh has {} vertices", self.distances.len());
+                Err(Error::new(Reason::VertexOutOfRange, message))
+            }
+            Some(&f64::INFINITY) => Ok(None),
+            Some(_) => Ok(self.trace().path(Place::Vertex(v)).map(|points| Curve { points, is_closed: false })),
+        }
+    }
+
+    fn trace(&self) -> Trace<'_> {
+        Trace { solver: &self.solver, found: &self.found }
+    }
+
+    fn within(&self, distance: f64) -> f64 {
+        let distance = self.units.to_mesh(distance);
+        if distance > self.final_radius { f64::INFINITY } else { distance }
+    }
+
+    fn place(&self, point: &SurfacePoint) -> Result<Place> {
+        let place = point.checked(&self.solver.mesh).map_err(|message| Error::new(Reason::BadArgument, message))?;
+        if matches!(place, Place::Face(_)) && self.found.kept.is_none() {
+            let message = "a point that is no vertex needs a field that keeps its windows (keep_windows)";
+            return Err(Error::new(Reason::BadArgument, message));
+        }
+        Ok(place)
     }
 }

@@ -30,6 +30,7 @@ use super::window::{Entry, Turn, Window};
 use crate::control::Control;
 use crate::error::Result;
 use crate::mesh::topology::{NONE, next, prev};
+use crate::surface::point::SurfacePoint;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, VecDeque};
 use std::f64::consts::PI;
@@ -74,6 +75,72 @@ pub(crate) struct Emission {
     pub(crate) source: u32,
 }
 
+/// What a propagation found.
+#[derive(Debug)]
+pub(crate) struct Found {
+    /// Distance of each vertex, in units above the least start distance.
+    pub(crate) label: Vec<f64>,
+    pub(crate) arrival: Vec<Arrival>,
+    pub(crate) emissions: Vec<Emission>,
+    pub(crate) kept: Option<Kept>,
+    /// The sources that are no vertices, by triangle.
+    inner: Vec<Inner>,
+    /// How many windows crossed a triangle.
+    pub(crate) crossed: u64,
+}
+
+/// A source that is no vertex, in one of the triangles that it lies in.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Inner {
+    face: u32,
+    pub(crate) weights: [f64; 3],
+    pub(crate) emission: u32,
+    /// Its start distance.
+    pub(crate) sigma: f64,
+}
+
+impl Found {
+    /// The sources in a triangle that are no vertices.
+    pub(crate) fn inner_of(&self, face: u32) -> &[Inner] {
+        let first = self.inner.partition_point(|inner| inner.face < face);
+        let count = self.inner[first..].partition_point(|inner| inner.face == face);
+        &self.inner[first..first + count]
+    }
+}
+
+/// Windows by half-edge.
+#[derive(Debug)]
+pub(crate) struct Kept {
+    start: Vec<usize>,
+    windows: Vec<Window>,
+}
+
+impl Kept {
+    /// By counting sort.
+    fn new(halfedges: usize, kept: Vec<(u32, Window)>) -> Kept {
+        let mut start = vec![0; halfedges + 1];
+        for &(h, _) in &kept {
+            start[h as usize + 1] += 1;
+        }
+        for h in 0..halfedges {
+            start[h + 1] += start[h];
+        }
+        let Some(&(_, any)) = kept.first() else { return Kept { start, windows: Vec::new() } };
+        let mut next = start.clone();
+        let mut windows = vec![any; kept.len()];
+        for (h, window) in kept {
+            windows[next[h as usize]] = window;
+            next[h as usize] += 1;
+        }
+        Kept { start, windows }
+    }
+
+    /// The windows that entered the triangle of half-edge h over it.
+    pub(crate) fn on(&self, h: u32) -> &[Window] {
+        &self.windows[self.start[h as usize]..self.start[h as usize + 1]]
+    }
+}
+
 /// A direction this close to the wedge of directions that a path can bend into counts as in it, in radians.
 const WEDGE_PAD: f64 = 1e-3;
 
@@ -85,6 +152,7 @@ pub(crate) struct Front<'a> {
     /// How the shortest path known comes to each vertex.
     arrival: Vec<Arrival>,
     emissions: Vec<Emission>,
+    is_source: Vec<bool>,
     /// Label of each vertex when it was last settled; +inf before.
     settled: Vec<f64>,
     /// Labelled vertices, nearest first.
@@ -97,6 +165,9 @@ pub(crate) struct Front<'a> {
     queue: VecDeque<u32>,
     /// What crossed each half-edge of the triangles that remember.
     memory: HashMap<u32, Memory>,
+    /// The windows that crossed, each with its half-edge, if they are wanted.
+    kept: Option<Vec<(u32, Window)>>,
+    inner: Vec<Inner>,
     scratch: Scratch,
     corners: Vec<(f64, u32)>,
     crossed: u64,
@@ -113,6 +184,9 @@ impl<'a> Front<'a> {
             label: vec![f64::INFINITY; vertices],
             arrival: vec![Arrival { h: NONE, emission: NONE, at: 0.0, sx: 0.0, sy: 0.0 }; vertices],
             emissions: Vec::new(),
+            is_source: vec![false; vertices],
+            kept: None,
+            inner: Vec::new(),
             settled: vec![f64::INFINITY; vertices],
             heap: BinaryHeap::new(),
             waiting: vec![NONE; solver.charts.len()],
@@ -129,7 +203,39 @@ impl<'a> Front<'a> {
     /// Starts from vertex `v`, a source, at `distance`, which must not be negative.
     pub(crate) fn start(&mut self, v: u32, distance: f64, source: u32) {
         let emission = self.add_emission(v, source);
+        self.is_source[v as usize] = true;
         self.relax(v, distance, Arrival { h: NONE, emission, at: 0.0, sx: 0.0, sy: 0.0 });
+    }
+
+    /// Starts from a point that is no vertex: labels the corners of its triangles and throws windows through all their
+    /// sides but the one that it lies on.
+    pub(crate) fn start_inside(&mut self, point: &SurfacePoint, sigma: f64, source: u32) {
+        let solver = self.solver;
+        let emission = self.add_emission(NONE, source);
+        for (face, weights) in solver.triangles_of(point) {
+            self.inner.push(Inner { face, weights, emission, sigma });
+            for h in 3 * face..3 * face + 3 {
+                let chart = solver.charts[h as usize];
+                let [sx, sy] = chart.place(h, weights);
+                let far = (chart.tx - sx).hypot(chart.ty - sy);
+                // Where the line from the apex over the source leaves the triangle.
+                let at = (chart.tx + (sx - chart.tx) * (chart.ty / (chart.ty - sy))).clamp(0.0, chart.length);
+                self.relax(solver.start(prev(h)), sigma + far, Arrival { h, emission, at, sx, sy: -sy });
+                if weights[(prev(h) % 3) as usize] > 0.0 {
+                    let window = Window { b0: 0.0, b1: chart.length, sx, sy, sigma, emission };
+                    self.throw(h, window);
+                }
+            }
+        }
+    }
+
+    /// Lets a window leave a triangle by its half-edge h.
+    fn throw(&mut self, h: u32, window: Window) {
+        let chart = &self.solver.charts[h as usize];
+        self.pass(h, chart.start, std::iter::once(window));
+        if window.starts_on_edge(chart.length) {
+            self.pass_on(h, chart.start, window);
+        }
     }
 
     fn add_emission(&mut self, vertex: u32, source: u32) -> u32 {
@@ -139,7 +245,7 @@ impl<'a> Front<'a> {
 
     /// Propagates until nothing is left, the stopping rule is met, or the control interrupts it, which is the error. The
     /// number is ρ: labels below it are final.
-    pub(crate) fn run(&mut self, sources: &[bool], stop: &mut Stop, control: &Control) -> (f64, Result<()>) {
+    pub(crate) fn run(&mut self, stop: &mut Stop, control: &Control) -> (f64, Result<()>) {
         let vertices = self.label.len() as f64;
         let mut watch = Watch::new(control);
         let (mut settled, mut steps) = (0u64, 0u64);
@@ -153,7 +259,7 @@ impl<'a> Front<'a> {
                 return (rho(self.all_open(nearest)), Ok(()));
             }
             settled += u64::from(!self.is_settled(v));
-            self.settle(v, sources[v as usize]);
+            self.settle(v);
             loop {
                 steps += 1;
                 let work = steps + self.crossed;
@@ -202,17 +308,27 @@ impl<'a> Front<'a> {
             + windows * size_of::<Window>()
     }
 
-    /// Distance of each vertex.
-    pub(crate) fn into_labels(self) -> Vec<f64> {
-        self.label
+    /// Keeps every window from now on.
+    pub(crate) fn keep_windows(&mut self) {
+        self.kept = Some(Vec::new());
     }
 
-    /// How many windows have crossed a triangle.
-    pub(crate) fn crossed(&self) -> u64 {
-        self.crossed
+    /// What it found.
+    pub(crate) fn finish(mut self) -> Found {
+        if let Some(kept) = &mut self.kept {
+            // Work that ended early leaves windows waiting.
+            for (h, &list) in (0..).zip(&self.waiting).filter(|&(_, &list)| list != NONE) {
+                kept.extend(self.lists[list as usize].windows.iter().map(|&window| (h, window)));
+            }
+        }
+        let Front { label, arrival, emissions, kept, mut inner, crossed, .. } = self;
+        inner.sort_by_key(|inner| inner.face);
+        let kept = kept.map(|kept| Kept::new(self.solver.charts.len(), kept));
+        Found { label, arrival, emissions, kept, inner, crossed }
     }
 
-    fn settle(&mut self, v: u32, is_source: bool) {
+    fn settle(&mut self, v: u32) {
+        let is_source = self.is_source[v as usize];
         self.settled[v as usize] = self.label[v as usize];
         let solver = self.solver;
         for &h in solver.mesh.topology().corners.row(v) {
@@ -257,10 +373,7 @@ impl<'a> Front<'a> {
         for h in corners {
             let chart = solver.charts[next(h) as usize];
             let window = Window { b0: 0.0, b1: chart.length, sx: chart.tx, sy: chart.ty, sigma, emission };
-            self.pass(next(h), chart.start, std::iter::once(window));
-            if window.starts_on_edge(chart.length) {
-                self.pass_on(next(h), chart.start, window);
-            }
+            self.throw(next(h), window);
         }
     }
 
@@ -410,6 +523,9 @@ impl<'a> Front<'a> {
             memory.keep_news(&mut windows, &mut self.scratch);
         }
         self.crossed += windows.len() as u64;
+        if let Some(kept) = &mut self.kept {
+            kept.extend(windows.iter().map(|&window| (h, window)));
+        }
         let split = self.split_point(h, distance, at);
         let [left, right] = solver.sides(h);
         self.pass(left.h, left.origin, windows.iter().filter_map(|w| w.left_child(&left.turn, split)));
@@ -458,13 +574,48 @@ impl<'a> Front<'a> {
 }
 
 impl Prepared {
+    /// The triangles that a point which is no vertex lies in, each with its weights there: one, or all on its edge.
+    pub(crate) fn triangles_of(&self, point: &SurfacePoint) -> Vec<(u32, [f64; 3])> {
+        let SurfacePoint { face, barycentric } = *point;
+        let mut triangles = vec![(face, barycentric)];
+        if let Some(k) = (0..3).find(|&k| barycentric[k as usize] == 0.0) {
+            let h = next(3 * face + k);
+            let [at_start, at_end] = [barycentric[(h % 3) as usize], barycentric[(next(h) % 3) as usize]];
+            for g in self.others(h) {
+                let mut weights = [0.0; 3];
+                let is_along = self.start(g) == self.start(h);
+                let ends = if is_along { [at_start, at_end] } else { [at_end, at_start] };
+                [weights[(g % 3) as usize], weights[(next(g) % 3) as usize]] = ends;
+                triangles.push((g / 3, weights));
+            }
+        }
+        triangles
+    }
+
+    /// A corner of a triangle as a point in it.
+    pub(crate) fn corner(&self, face: u32, v: u32) -> Option<SurfacePoint> {
+        let k = (0..3).find(|k| self.start(3 * face + k) == v)?;
+        let mut barycentric = [0.0; 3];
+        barycentric[k as usize] = 1.0;
+        Some(SurfacePoint { face, barycentric })
+    }
+
+    /// A point as a point of this triangle, if it lies in it.
+    pub(crate) fn in_triangle(&self, point: &SurfacePoint, face: u32) -> Option<SurfacePoint> {
+        if let Some(k) = (0..3).find(|&k| point.barycentric[k as usize] == 1.0) {
+            return self.corner(face, self.start(3 * point.face + k));
+        }
+        let (face, barycentric) = self.triangles_of(point).into_iter().find(|&(there, _)| there == face)?;
+        Some(SurfacePoint { face, barycentric })
+    }
+
     /// The vertex where half-edge h starts.
-    fn start(&self, h: u32) -> u32 {
+    pub(crate) fn start(&self, h: u32) -> u32 {
         self.charts[h as usize].start
     }
 
     /// The half-edges on the edge of h besides h.
-    fn others(&self, h: u32) -> impl Iterator<Item = u32> {
+    pub(crate) fn others(&self, h: u32) -> impl Iterator<Item = u32> {
         let topology = self.mesh.topology();
         topology.halfedges.row(topology.edge_of[h as usize]).iter().copied().filter(move |&g| g != h)
     }

@@ -183,6 +183,11 @@ impl Turn {
         Turn { tx: ux * right.length, ty: chart.ty, side: right.length, ux, uy }
     }
 
+    /// Where a place on the triangle's side of its edge lies along the side, and how far beyond it.
+    pub(crate) fn ahead(&self, x: f64, y: f64) -> [f64; 2] {
+        [x * self.ux + y * self.uy, y * self.ux - x * self.uy]
+    }
+
     /// Where a source lies along the side, and how far behind it.
     fn source(&self, sx: f64, sy: f64) -> [f64; 2] {
         let behind = sy * self.ux + sx * self.uy;

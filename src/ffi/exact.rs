@@ -99,7 +99,7 @@ unsafe fn options_of(options: *const taut_exact_options) -> Result<ExactOptions>
         return Err(bad_enum("options.reserved", options.reserved));
     }
     let radius = if options.radius == 0.0 { f64::INFINITY } else { options.radius };
-    Ok(ExactOptions { targets, radius, allow_partial: options.allow_partial == 1 })
+    Ok(ExactOptions { targets, radius, allow_partial: options.allow_partial == 1, keep_windows: false })
 }
 
 /// Copies the distances out.

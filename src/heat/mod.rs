@@ -31,7 +31,7 @@ use crate::mesh::Mesh;
 use crate::mesh::topology::NONE;
 use crate::metric::{Metric, Scale, delaunay, mollify};
 use crate::operators::Operators;
-use crate::surface::point::Source;
+use crate::surface::point::{Place, Seed, Source};
 use std::sync::Arc;
 
 pub use crate::linear::Solver;
@@ -239,6 +239,23 @@ struct PlacedSource {
     offset: f64,
 }
 
+/// A source as it was given.
+struct Start {
+    v: u32,
+    offset: f64,
+}
+
+/// Heat starts at vertices.
+fn start(seed: Seed) -> Result<Start> {
+    match seed.place {
+        Place::Vertex(v) => Ok(Start { v, offset: seed.offset }),
+        Place::Face(point) => {
+            let message = format!("lies inside triangle {}; the heat method starts at vertices", point.face);
+            Err(Error::at(Reason::BadArgument, Element::Source(u64::from(seed.source)), message))
+        }
+    }
+}
+
 impl Systems {
     fn new(mesh: &Mesh, options: &HeatOptions, control: &Control) -> Result<Systems> {
         let scale = Scale::of(mesh);
@@ -284,37 +301,41 @@ impl Systems {
     /// Checks the sources and expresses them in units.
     fn place(&self, sources: &[Source]) -> Result<Placed> {
         let topology = self.mesh.topology();
-        let checked = Source::checked(sources, self.mesh.vertex_count())?;
+        let mut starts = Source::checked(sources, &self.mesh)?.into_iter().map(start).collect::<Result<Vec<_>>>()?;
         let mut base = vec![f64::INFINITY; topology.component_count as usize];
         let mut count = vec![0; topology.component_count as usize];
-        let component = |source: &Source| topology.component[source.vertex_index() as usize];
-        for source in checked.iter().filter(|source| component(source) != NONE) {
-            let c = component(source) as usize;
-            base[c] = source.offset().min(base[c]);
-            count[c] += 1;
+        let component = |start: &Start| topology.component[start.v as usize];
+        for start in starts.iter().filter(|start| component(start) != NONE) {
+            let c = component(start) as usize;
+            base[c] = start.offset.min(base[c]);
         }
-        // The sources as the caller lists them, so that an error gives the caller's number.
-        for (i, source) in (0..).zip(sources) {
-            if self.boundary == 1.0 && self.on_boundary[source.vertex_index() as usize] {
+        for (i, start) in (0..).zip(&starts) {
+            if self.boundary == 1.0 && self.on_boundary[start.v as usize] {
                 let message = "lies on the boundary, which absorbs all heat (boundary is 1)";
                 return Err(Error::at(Reason::SourceOnBoundary, Element::Source(i), message));
             }
-            let c = component(source);
-            if c != NONE && !self.scale.to_unit(source.offset() - base[c as usize]).is_finite() {
-                let message = format!("has the start distance {}, out of all proportion to the mesh", source.offset());
+            let c = component(start);
+            if c != NONE && !self.scale.to_unit(start.offset - base[c as usize]).is_finite() {
+                let message = format!("has the start distance {}, out of all proportion to the mesh", start.offset);
                 return Err(Error::at(Reason::BadArgument, Element::Source(i), message));
             }
         }
-        let place = |source: &Source| {
-            let smallest = base.get(component(source) as usize).copied().unwrap_or(source.offset());
+        // Of several at one vertex only the nearest counts.
+        starts.sort_by(|a, b| a.v.cmp(&b.v).then(a.offset.total_cmp(&b.offset)));
+        starts.dedup_by_key(|start| start.v);
+        for start in starts.iter().filter(|start| component(start) != NONE) {
+            count[component(start) as usize] += 1;
+        }
+        let place = |start: &Start| {
+            let smallest = base.get(component(start) as usize).copied().unwrap_or(start.offset);
             PlacedSource {
-                v: source.vertex_index() as usize,
-                component: component(source),
-                given_offset: source.offset(),
-                offset: self.scale.to_unit(source.offset() - smallest),
+                v: start.v as usize,
+                component: component(start),
+                given_offset: start.offset,
+                offset: self.scale.to_unit(start.offset - smallest),
             }
         };
-        Ok(Placed { sources: checked.iter().map(place).collect(), base, count })
+        Ok(Placed { sources: starts.iter().map(place).collect(), base, count })
     }
 
     /// φ in units, up to a constant in each component; where several sources are pinned, the constant is right.

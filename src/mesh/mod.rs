@@ -13,7 +13,7 @@ pub(crate) mod input;
 pub(crate) mod io;
 pub mod shapes;
 pub(crate) mod topology;
-mod validate;
+pub(crate) mod validate;
 
 use crate::error::Result;
 use input::{Faces, Rows, ScalarType};

@@ -1,0 +1,288 @@
+//! Distances and paths from any point of the surface, back to its nearest source.
+//!
+//! A point inside a triangle is reached over a corner, over a window on one of the sides, or straight from a source in the
+//! triangle: the shortest of these is its distance. Its path goes back in straight pieces from pseudo-source to
+//! pseudo-source. Along a piece what it comes from lies unfolded at S: the triangle beyond the edge is laid flat on S's
+//! side, and either S is one of its corners, or the straight line to S leaves it by one of its two other sides.
+//!
+//! Where the line passes close to a corner rounding decides on which side. The other side is kept in mind, and taken where
+//! the first one does not lead to the pseudo-source.
+//!
+//! A distance costs as much as the triangle has windows, a path as many steps as it crosses triangles.
+
+use super::Prepared;
+use super::charts::Chart;
+use super::propagate::{Arrival, Found};
+use super::window::{Entry, Turn};
+use crate::mesh::topology::{NONE, next, prev};
+use crate::surface::point::{Place, SurfacePoint};
+
+/// What a finished propagation knows.
+pub(crate) struct Trace<'a> {
+    pub(crate) solver: &'a Prepared,
+    pub(crate) found: &'a Found,
+}
+
+/// Over what the shortest path to a point comes.
+#[derive(Debug, Clone, Copy)]
+enum Way {
+    /// Over this vertex.
+    Corner(u32),
+    /// In one straight piece.
+    Straight(Arrival),
+}
+
+/// The shortest path to a point inside triangles.
+struct Best {
+    distance: f64,
+    /// The triangle in which it arrives, the weights of the point there, and how it comes.
+    face: u32,
+    weights: [f64; 3],
+    way: Way,
+}
+
+/// A line that passes a corner at an angle below this passes it on both sides, for all that rounding tells.
+const CLOSE_CALL: f64 = 1e-6;
+
+/// How far S may be from where it should be, as a share of the way to it and of the triangle's size.
+const FOUND: f64 = 1e-7;
+
+/// A place on an edge that is nearer to its end than this share of its length is the end.
+const AT_END: f64 = 1e-13;
+
+impl Trace<'_> {
+    /// The distance of a place, in units; +inf where no path leads.
+    pub(crate) fn distance(&self, place: Place) -> f64 {
+        match place {
+            Place::Vertex(v) => self.found.label[v as usize],
+            Place::Face(point) => self.best(&point).map_or(f64::INFINITY, |best| best.distance),
+        }
+    }
+
+    /// The source that is nearest to a place, counted as the caller does.
+    pub(crate) fn nearest_source(&self, place: Place) -> Option<u32> {
+        let emission = match place {
+            Place::Vertex(v) => self.found.arrival[v as usize].emission,
+            Place::Face(point) => match self.best(&point)?.way {
+                Way::Corner(v) => self.found.arrival[v as usize].emission,
+                Way::Straight(arrival) => arrival.emission,
+            },
+        };
+        self.found.emissions.get(emission as usize).map(|emission| emission.source)
+    }
+
+    fn best(&self, point: &SurfacePoint) -> Option<Best> {
+        let mut best: Option<Best> = None;
+        for (face, weights) in self.solver.triangles_of(point) {
+            let mut offer = |distance: f64, way: Way| {
+                if distance < best.as_ref().map_or(f64::INFINITY, |best| best.distance) {
+                    best = Some(Best { distance, face, weights, way });
+                }
+            };
+            for h in 3 * face..3 * face + 3 {
+                let chart = self.solver.charts[h as usize];
+                let [x, y] = chart.place(h, weights);
+                offer(self.found.label[chart.start as usize] + x.hypot(y), Way::Corner(chart.start));
+                let seen = Chart { tx: x, ty: y, ..chart };
+                let windows = self.found.kept.iter().flat_map(|kept| kept.on(h));
+                let entry = windows.fold(Entry::default(), |best, window| window.entry(&seen, best));
+                let Entry { distance, at, sx, sy, emission } = entry;
+                offer(distance, Way::Straight(Arrival { h, emission, at, sx, sy }));
+            }
+            let h = 3 * face;
+            let chart = self.solver.charts[h as usize];
+            let [x, y] = chart.place(h, weights);
+            for inner in self.found.inner_of(face) {
+                let [sx, sy] = chart.place(h, inner.weights);
+                let straight = Arrival { h, emission: inner.emission, at: sx, sx, sy: -sy };
+                offer(inner.sigma + (sx - x).hypot(sy - y), Way::Straight(straight));
+            }
+        }
+        best
+    }
+
+    /// The shortest path from a place back to its nearest source; each point but the last names the triangle of the
+    /// segment behind it, the last that of the segment before it. None where no path leads.
+    pub(crate) fn path(&self, place: Place) -> Option<Vec<SurfacePoint>> {
+        let mut points = Vec::new();
+        let mut v = match place {
+            Place::Vertex(v) => v,
+            Place::Face(point) => {
+                let Best { face, weights, way, .. } = self.best(&point)?;
+                points.push(SurfacePoint { face, barycentric: weights });
+                match way {
+                    Way::Straight(arrival) => self.piece(arrival, &mut points)?,
+                    Way::Corner(v) => {
+                        points.push(self.solver.corner(face, v)?);
+                        v
+                    }
+                }
+            }
+        };
+        while v != NONE {
+            let arrival = self.found.arrival[v as usize];
+            if arrival.h == NONE {
+                if points.is_empty() {
+                    let &corner = self.solver.mesh.topology().corners.row(v).first()?;
+                    points.push(self.solver.corner(corner / 3, v)?);
+                }
+                break;
+            }
+            points.push(self.solver.corner(arrival.h / 3, v)?);
+            v = self.piece(arrival, &mut points)?;
+        }
+        Some(self.merged(points))
+    }
+
+    /// Follows a straight piece back; `points` ends with the point from which it starts. Returns the pseudo-source that it
+    /// leads to, NONE for a source that is no vertex.
+    fn piece(&self, arrival: Arrival, points: &mut Vec<SurfacePoint>) -> Option<u32> {
+        let vertex = self.found.emissions.get(arrival.emission as usize)?.vertex;
+        if arrival.sy < 0.0 {
+            points.push(self.end_in(arrival.h, arrival)?);
+            return Some(vertex);
+        }
+        if let Some(end) = self.end_on(&arrival, vertex) {
+            points.push(end);
+            return Some(vertex);
+        }
+        let beyond = |stand: Arrival, length: usize| {
+            self.solver.others(stand.h).map(move |g| (Beyond::new(self.solver, g, &stand), length))
+        };
+        let mut open: Vec<(Beyond, usize)> = beyond(arrival, points.len()).collect();
+        let mut steps = 4 * self.solver.mesh.triangle_count() + 64;
+        while let Some((triangle, length)) = open.pop() {
+            points.truncate(length);
+            points.push(triangle.point());
+            let exits = triangle.exits(self.solver);
+            let on_side = || exits.iter().flatten().find_map(|exit| self.end_on(exit, vertex));
+            if let Some(end) = self.end_in(triangle.g, triangle.stand).or_else(on_side) {
+                points.push(end);
+                return Some(vertex);
+            }
+            open.extend(exits.into_iter().flatten().flat_map(|exit| beyond(exit, length + 1)));
+            steps = steps.checked_sub(1)?;
+        }
+        None
+    }
+
+    /// Without the points that coincide with the next one: the segment between has no length.
+    fn merged(&self, points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
+        let position = |point: &SurfacePoint| point.position(&self.solver.mesh).ok();
+        let mut merged: Vec<SurfacePoint> = Vec::with_capacity(points.len());
+        let Some(&last) = points.last() else { return merged };
+        for point in points {
+            if merged.last().is_some_and(|before| position(before) == position(&point)) {
+                merged.pop();
+            }
+            merged.push(point);
+        }
+        // The last point names the triangle of the segment before it.
+        if let [.., before, end] = &mut merged[..]
+            && let Some(renamed) = self.solver.in_triangle(&last, before.face)
+        {
+            *end = renamed;
+        }
+        merged
+    }
+
+    /// The end of the edge on which a path stands, if that is what it comes from.
+    fn end_on(&self, stand: &Arrival, vertex: u32) -> Option<SurfacePoint> {
+        let chart = &self.solver.charts[stand.h as usize];
+        let near = FOUND * chart.length;
+        let end = if vertex == chart.start && stand.sx.hypot(stand.sy) <= near {
+            stand.h
+        } else if vertex == self.solver.start(next(stand.h)) && (chart.length - stand.sx).hypot(stand.sy) <= near {
+            next(stand.h)
+        } else {
+            return None;
+        };
+        let mut barycentric = [0.0; 3];
+        barycentric[(end % 3) as usize] = 1.0;
+        Some(SurfacePoint { face: stand.h / 3, barycentric })
+    }
+
+    /// What a path comes from, if it lies in the triangle of half-edge h, in whose chart the stand looks for it at
+    /// (sx, -sy).
+    fn end_in(&self, h: u32, stand: Arrival) -> Option<SurfacePoint> {
+        let chart = &self.solver.charts[h as usize];
+        let vertex = self.found.emissions[stand.emission as usize].vertex;
+        let way = (stand.sx - stand.at).hypot(stand.sy);
+        let near = FOUND * (chart.length + chart.tx.hypot(chart.ty) + way);
+        let is_at = |weights: [f64; 3]| {
+            let [x, y] = chart.place(h, weights);
+            (x - stand.sx).hypot(y + stand.sy) <= near
+        };
+        if vertex == NONE {
+            let inner = self.found.inner_of(h / 3).iter().find(|inner| inner.emission == stand.emission)?;
+            return is_at(inner.weights).then_some(SurfacePoint { face: h / 3, barycentric: inner.weights });
+        }
+        let corner = self.solver.corner(h / 3, vertex)?;
+        is_at(corner.barycentric).then_some(corner)
+    }
+}
+
+/// The triangle beyond an edge, and what is looked for as seen from there.
+struct Beyond {
+    g: u32,
+    chart: Chart,
+    /// In the chart of g; sy is negative, as the triangle lies on that side.
+    stand: Arrival,
+}
+
+impl Beyond {
+    fn new(solver: &Prepared, g: u32, stand: &Arrival) -> Beyond {
+        let chart = solver.charts[g as usize];
+        let is_mirrored = chart.start != solver.start(stand.h);
+        let from_start = |x: f64| if is_mirrored { chart.length - x } else { x };
+        let (at, sx) = (from_start(stand.at), from_start(stand.sx));
+        Beyond { g, chart, stand: Arrival { h: g, at, sx, sy: -stand.sy, ..*stand } }
+    }
+
+    /// Where the path crosses the edge.
+    fn point(&self) -> SurfacePoint {
+        let share = self.stand.at / self.chart.length;
+        let mut barycentric = [0.0; 3];
+        let at_end = match share {
+            share if share < AT_END => 0.0,
+            share if share > 1.0 - AT_END => 1.0,
+            share => share,
+        };
+        barycentric[(self.g % 3) as usize] = 1.0 - at_end;
+        barycentric[(next(self.g) % 3) as usize] = at_end;
+        SurfacePoint { face: self.g / 3, barycentric }
+    }
+
+    /// The sides by which the line to S leaves the triangle, the likelier one last.
+    fn exits(&self, solver: &Prepared) -> [Option<Arrival>; 2] {
+        let Chart { length, tx, ty, .. } = self.chart;
+        let Arrival { at, sx, sy, .. } = self.stand;
+        let depth = -sy;
+        // Positive where S lies to the left of the apex.
+        let left = (tx - at) * depth - ty * (sx - at);
+        let is_close = left.abs() <= CLOSE_CALL * (tx - at).hypot(ty) * (sx - at).hypot(depth);
+        let by_start = (left > 0.0 || is_close).then(|| {
+            let (side, from_start) = (prev(self.g), at * depth);
+            let share = share(from_start, left.max(0.0));
+            let turn = Turn::left(&self.chart, solver.charts[side as usize].length);
+            let [along, beyond] = turn.ahead(sx, depth);
+            let side_length = solver.charts[side as usize].length;
+            Arrival { h: side, at: side_length * (1.0 - share), sx: side_length - along, sy: beyond, ..self.stand }
+        });
+        let by_end = (left <= 0.0 || is_close).then(|| {
+            let side = next(self.g);
+            let share = share((length - at) * depth, (-left).max(0.0));
+            let right = &solver.charts[side as usize];
+            let [along, beyond] = Turn::right(&self.chart, right).ahead(length - sx, depth);
+            Arrival { h: side, at: right.length * share, sx: along, sy: beyond, ..self.stand }
+        });
+        let is_ahead = |exit: &Arrival| exit.sy >= -FOUND * (length + depth);
+        let exits = if left > 0.0 { [by_end, by_start] } else { [by_start, by_end] };
+        exits.map(|exit| exit.filter(is_ahead).map(|exit| Arrival { sy: exit.sy.max(0.0), ..exit }))
+    }
+}
+
+/// How far along a side a line leaves between its ends, from their twice-areas with it.
+fn share(near: f64, far: f64) -> f64 {
+    if near > 0.0 { near / (near + far) } else { 0.0 }
+}
