@@ -73,6 +73,8 @@ pub(crate) struct Emission {
     pub(crate) vertex: u32,
     /// The source from which the shortest path to it comes, counted as the caller does.
     pub(crate) source: u32,
+    /// Its distance.
+    pub(crate) sigma: f64,
 }
 
 /// What a propagation found.
@@ -95,8 +97,6 @@ pub(crate) struct Inner {
     face: u32,
     pub(crate) weights: [f64; 3],
     pub(crate) emission: u32,
-    /// Its start distance.
-    pub(crate) sigma: f64,
 }
 
 impl Found {
@@ -202,7 +202,7 @@ impl<'a> Front<'a> {
 
     /// Starts from vertex `v`, a source, at `distance`, which must not be negative.
     pub(crate) fn start(&mut self, v: u32, distance: f64, source: u32) {
-        let emission = self.add_emission(v, source);
+        let emission = self.add_emission(v, source, distance);
         self.is_source[v as usize] = true;
         self.relax(v, distance, Arrival { h: NONE, emission, at: 0.0, sx: 0.0, sy: 0.0 });
     }
@@ -211,9 +211,9 @@ impl<'a> Front<'a> {
     /// sides but the one that it lies on.
     pub(crate) fn start_inside(&mut self, point: &SurfacePoint, sigma: f64, source: u32) {
         let solver = self.solver;
-        let emission = self.add_emission(NONE, source);
+        let emission = self.add_emission(NONE, source, sigma);
         for (face, weights) in solver.triangles_of(point) {
-            self.inner.push(Inner { face, weights, emission, sigma });
+            self.inner.push(Inner { face, weights, emission });
             for h in 3 * face..3 * face + 3 {
                 let chart = solver.charts[h as usize];
                 let [sx, sy] = chart.place(h, weights);
@@ -238,8 +238,8 @@ impl<'a> Front<'a> {
         }
     }
 
-    fn add_emission(&mut self, vertex: u32, source: u32) -> u32 {
-        self.emissions.push(Emission { vertex, source });
+    fn add_emission(&mut self, vertex: u32, source: u32, sigma: f64) -> u32 {
+        self.emissions.push(Emission { vertex, source, sigma });
         (self.emissions.len() - 1) as u32
     }
 
@@ -361,7 +361,7 @@ impl<'a> Front<'a> {
         let solver = self.solver;
         let sigma = self.label[v as usize];
         let came = self.arrival[v as usize].emission;
-        let emission = self.add_emission(v, self.emissions[came as usize].source);
+        let emission = self.add_emission(v, self.emissions[came as usize].source, sigma);
         for &h in solver.mesh.topology().corners.row(v) {
             let (opposite, back) = (next(h), prev(h));
             let back_length = solver.charts[back as usize].length;

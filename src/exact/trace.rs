@@ -6,7 +6,8 @@
 //! side, and either S is one of its corners, or the straight line to S leaves it by one of its two other sides.
 //!
 //! Where the line passes close to a corner rounding decides on which side. The other side is kept in mind, and taken where
-//! the first one does not lead to the pseudo-source.
+//! the first one does not lead to the pseudo-source. Where an edge has several triangles each is tried in which the
+//! distances of the corners allow it.
 //!
 //! A distance costs as much as the triangle has windows, a path as many steps as it crosses triangles.
 
@@ -16,6 +17,7 @@ use super::propagate::{Arrival, Found};
 use super::window::{Entry, Turn};
 use crate::mesh::topology::{NONE, next, prev};
 use crate::surface::point::{Place, SurfacePoint};
+use std::collections::HashSet;
 
 /// What a finished propagation knows.
 pub(crate) struct Trace<'a> {
@@ -95,7 +97,8 @@ impl Trace<'_> {
             for inner in self.found.inner_of(face) {
                 let [sx, sy] = chart.place(h, inner.weights);
                 let straight = Arrival { h, emission: inner.emission, at: sx, sx, sy: -sy };
-                offer(inner.sigma + (sx - x).hypot(sy - y), Way::Straight(straight));
+                let sigma = self.found.emissions[inner.emission as usize].sigma;
+                offer(sigma + (sx - x).hypot(sy - y), Way::Straight(straight));
             }
         }
         best
@@ -150,8 +153,12 @@ impl Trace<'_> {
             self.solver.others(stand.h).map(move |g| (Beyond::new(self.solver, g, &stand), length))
         };
         let mut open: Vec<(Beyond, usize)> = beyond(arrival, points.len()).collect();
-        let mut steps = 4 * self.solver.mesh.triangle_count() + 64;
+        // Different ways round an edge of several triangles can lead to the same place again.
+        let mut tried = HashSet::new();
         while let Some((triangle, length)) = open.pop() {
+            if !tried.insert(triangle.key()) {
+                continue;
+            }
             points.truncate(length);
             points.push(triangle.point());
             let exits = triangle.exits(self.solver);
@@ -160,8 +167,9 @@ impl Trace<'_> {
                 points.push(end);
                 return Some(vertex);
             }
-            open.extend(exits.into_iter().flatten().flat_map(|exit| beyond(exit, length + 1)));
-            steps = steps.checked_sub(1)?;
+            open.extend(
+                exits.into_iter().flatten().filter(|exit| self.may_be(exit)).flat_map(|exit| beyond(exit, length + 1)),
+            );
         }
         None
     }
@@ -184,6 +192,19 @@ impl Trace<'_> {
             *end = renamed;
         }
         merged
+    }
+
+    /// Whether the distance where a path stands agrees with those of the ends of the edge. Where an edge has several
+    /// triangles this tells which of them the path came through.
+    fn may_be(&self, stand: &Arrival) -> bool {
+        let chart = &self.solver.charts[stand.h as usize];
+        let sigma = self.found.emissions[stand.emission as usize].sigma;
+        let distance = sigma + (stand.sx - stand.at).hypot(stand.sy);
+        let is_near = |v: u32, way: f64| {
+            let label = self.found.label[v as usize];
+            (label - distance).abs() <= way + FOUND * (chart.length + distance - sigma)
+        };
+        is_near(chart.start, stand.at) && is_near(self.solver.start(next(stand.h)), chart.length - stand.at)
     }
 
     /// The end of the edge on which a path stands, if that is what it comes from.
@@ -237,6 +258,12 @@ impl Beyond {
         let from_start = |x: f64| if is_mirrored { chart.length - x } else { x };
         let (at, sx) = (from_start(stand.at), from_start(stand.sx));
         Beyond { g, chart, stand: Arrival { h: g, at, sx, sy: -stand.sy, ..*stand } }
+    }
+
+    /// The half-edge, and roughly the place on it and that of S.
+    fn key(&self) -> (u32, [i64; 3]) {
+        let Arrival { at, sx, sy, .. } = self.stand;
+        (self.g, [at, sx, sy].map(|x| (x / self.chart.length * 1e7).round() as i64))
     }
 
     /// Where the path crosses the edge.
