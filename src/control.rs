@@ -120,6 +120,11 @@ impl Control {
     /// Reports progress; fails if the work was cancelled or its time is over.
     pub(crate) fn checkpoint(&self, progress: f64) -> Result<()> {
         self.report(progress);
+        self.check()
+    }
+
+    /// Fails if the work was cancelled or its time is over. For any thread.
+    fn check(&self) -> Result<()> {
         if self.is_cancelled() {
             return Err(Error::new(Reason::Cancelled, "the work was cancelled"));
         }
@@ -144,6 +149,49 @@ impl Control {
                 Err(Error::new(Reason::MemoryLimit, message))
             }
         }
+    }
+}
+
+/// The control as one of the pieces sees it that a work is made of.
+#[derive(Clone, Copy)]
+pub(crate) struct Piece<'a> {
+    control: &'a Control,
+    /// The progress at its begin and its end, if the piece is done on the thread of the call; others tell none.
+    progress: Option<[f64; 2]>,
+}
+
+impl<'a> Piece<'a> {
+    /// The whole work.
+    pub(crate) fn whole(control: &'a Control) -> Piece<'a> {
+        Piece { control, progress: Some([0.0, 1.0]) }
+    }
+
+    /// A piece that begins and ends at this progress, on the thread of the call.
+    pub(crate) fn between(control: &'a Control, from: f64, to: f64) -> Piece<'a> {
+        Piece { control, progress: Some([from, to]) }
+    }
+
+    /// A piece on another thread.
+    pub(crate) fn elsewhere(control: &'a Control) -> Piece<'a> {
+        Piece { control, progress: None }
+    }
+
+    /// As [`Control::report`], with the progress of the piece.
+    pub(crate) fn report(&self, progress: f64) {
+        if let Some([from, to]) = self.progress {
+            self.control.report(from + (to - from) * progress.clamp(0.0, 1.0));
+        }
+    }
+
+    /// As [`Control::checkpoint`], with the progress of the piece.
+    pub(crate) fn checkpoint(&self, progress: f64) -> Result<()> {
+        self.report(progress);
+        self.control.check()
+    }
+
+    /// As [`Control::check_memory`], with the bytes of the piece.
+    pub(crate) fn check_memory(&self, used: impl FnOnce() -> usize) -> Result<()> {
+        self.control.check_memory(used)
     }
 }
 

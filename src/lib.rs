@@ -45,7 +45,7 @@ mod surface;
 
 pub use control::Control;
 pub use error::{Element, Error, Reason, Result, Status};
-pub use exact::{ExactField, ExactOptions, ExactSolver};
+pub use exact::{ExactField, ExactOptions, ExactSolver, SparseDistances};
 pub use heat::{HeatOptions, HeatReport, HeatSolver, Laplacian, Shift, Solver, TimeFormula, TimeScale, TimeStep};
 pub use mesh::Mesh;
 pub use mesh::input::{ElementType, Faces, IndexType, Rows, ScalarType};

@@ -5,11 +5,12 @@
 //! manifold. Bundles of such straight lines travel over the mesh as [windows](window); where they meet, the shorter one
 //! survives. Distances are exact up to rounding, about 1e-15 of the largest on ordinary meshes.
 //!
-//! Data path: [`charts`] (each triangle laid flat) -> [`propagate`] (windows cross triangles; [`envelope`] trims them)
-//! -> labels of the vertices.
+//! Data path: [`charts`] (each triangle laid flat) -> [`propagate`] (windows cross triangles; [`envelope`] trims them;
+//! [`stop`] ends it early) -> labels of the vertices -> [`trace`] (any point; paths). [`batch`] does many at once.
 //!
 //! Cost: O(V²) windows in the worst case, about 20 per triangle on scans; the memory grows with the front only.
 
+mod batch;
 mod charts;
 mod envelope;
 mod propagate;
@@ -17,11 +18,12 @@ mod stop;
 mod trace;
 mod window;
 
-use crate::control::Control;
+use crate::control::{Control, Piece};
 use crate::error::{Element, Error, Reason, Result};
 use crate::mesh::Mesh;
 use crate::metric::Scale;
-use crate::surface::point::{Curve, Place, Source, SurfacePoint};
+use crate::surface::point::{Curve, Place, Seed, Source, SurfacePoint};
+pub use batch::SparseDistances;
 use charts::{Bend, Chart};
 use propagate::{Found, Front};
 use std::sync::Arc;
@@ -105,7 +107,7 @@ impl ExactSolver {
     /// The distance of every vertex from the nearest of `sources`, each with its start distance.
     ///
     /// Progress counts settled vertices. The control is consulted every few thousand windows, about a millisecond
-    /// apart. Its memory limit counts 32 bytes a vertex and 12 a triangle, which are taken before the first look
+    /// apart. Its memory limit counts 50 bytes a vertex and 12 a triangle, which are taken before the first look
     /// at it, and the windows of the moving front.
     ///
     /// # Errors
@@ -117,22 +119,11 @@ impl ExactSolver {
         let seeds = Source::checked(sources, mesh)?;
         check_targets(&options.targets, mesh.vertex_count())?;
         check_radius(options.radius)?;
-        // Start distances count from the least one, so that no label is negative.
-        let least = seeds.iter().map(|seed| seed.offset).fold(f64::INFINITY, f64::min);
-        let units = Units { scale: self.0.scale, least };
         let mut front = Front::new(&self.0);
         if options.keep_windows {
             front.keep_windows();
         }
-        for seed in &seeds {
-            let distance = self.0.scale.to_unit(seed.offset - least);
-            match &seed.place {
-                Place::Vertex(v) => front.start(*v, distance, seed.source),
-                Place::Face(point) => front.start_inside(point, distance, seed.source),
-            }
-        }
-        let mut stop = Stop::new(units, options.radius, &options.targets);
-        let (rho, ended) = front.run(&mut stop, control);
+        let (units, rho, ended) = self.0.propagate(&mut front, &seeds, options, Piece::whole(control));
         let interruption = match ended {
             Err(error) if !options.allow_partial => return Err(error),
             ended => ended.err(),
@@ -147,6 +138,36 @@ impl ExactSolver {
         }
         let final_radius = if is_cut { final_radius } else { f64::INFINITY };
         Ok(ExactField { solver: self.0.clone(), units, found: Arc::new(found), distances, final_radius, interruption })
+    }
+}
+
+impl Prepared {
+    /// Propagates from checked sources, on a front without any. Returns its units and ρ: labels below it are final.
+    fn propagate(
+        &self,
+        front: &mut Front,
+        seeds: &[Seed],
+        options: &ExactOptions,
+        control: Piece,
+    ) -> (Units, f64, Result<()>) {
+        // Start distances count from the least one, so that no label is negative.
+        let least = seeds.iter().map(|seed| seed.offset).fold(f64::INFINITY, f64::min);
+        let units = self.begin(front, seeds, least);
+        let mut stop = Stop::new(units, options.radius, &options.targets);
+        let (rho, ended) = front.run(&mut stop, control);
+        (units, rho, ended)
+    }
+
+    /// Puts sources on a front; their distances count from `least`.
+    fn begin(&self, front: &mut Front, seeds: &[Seed], least: f64) -> Units {
+        for seed in seeds {
+            let distance = self.scale.to_unit(seed.offset - least);
+            match &seed.place {
+                Place::Vertex(v) => front.start(*v, distance, seed.source),
+                Place::Face(point) => front.start_inside(point, distance, seed.source),
+            }
+        }
+        Units { scale: self.scale, least }
     }
 }
 

@@ -24,10 +24,10 @@
 
 use super::Prepared;
 use super::charts::{Bend, Chart, SEVERAL};
-use super::envelope::{Limits, Memory, Scratch, trim};
+use super::envelope::{Limits, Memory, Scratch, larger, smaller, trim};
 use super::stop::{Open, Stop, Watch, rho};
 use super::window::{Entry, Turn, Window};
-use crate::control::Control;
+use crate::control::Piece;
 use crate::error::Result;
 use crate::mesh::topology::{NONE, next, prev};
 use crate::surface::point::SurfacePoint;
@@ -144,6 +144,9 @@ impl Kept {
 /// A direction this close to the wedge of directions that a path can bend into counts as in it, in radians.
 const WEDGE_PAD: f64 = 1e-3;
 
+/// A vertex is next to a source that is nearer than this share of their triangle's size.
+const NEXT_TO: f64 = 1e-6;
+
 /// The state of one propagation; all lengths in units.
 pub(crate) struct Front<'a> {
     solver: &'a Prepared,
@@ -152,7 +155,10 @@ pub(crate) struct Front<'a> {
     /// How the shortest path known comes to each vertex.
     arrival: Vec<Arrival>,
     emissions: Vec<Emission>,
+    /// Which vertices are sources, or next to one: they throw windows into all directions.
     is_source: Vec<bool>,
+    /// The vertices with a label.
+    reached: Vec<u32>,
     /// Label of each vertex when it was last settled; +inf before.
     settled: Vec<f64>,
     /// Labelled vertices, nearest first.
@@ -185,6 +191,7 @@ impl<'a> Front<'a> {
             arrival: vec![Arrival { h: NONE, emission: NONE, at: 0.0, sx: 0.0, sy: 0.0 }; vertices],
             emissions: Vec::new(),
             is_source: vec![false; vertices],
+            reached: Vec::new(),
             kept: None,
             inner: Vec::new(),
             settled: vec![f64::INFINITY; vertices],
@@ -218,9 +225,13 @@ impl<'a> Front<'a> {
                 let chart = solver.charts[h as usize];
                 let [sx, sy] = chart.place(h, weights);
                 let far = (chart.tx - sx).hypot(chart.ty - sy);
+                let apex = solver.start(prev(h));
+                // Rounding tells no more where the path to it comes from.
+                self.is_source[apex as usize] |= far <= NEXT_TO * (chart.length + chart.ty);
                 // Where the line from the apex over the source leaves the triangle.
-                let at = (chart.tx + (sx - chart.tx) * (chart.ty / (chart.ty - sy))).clamp(0.0, chart.length);
-                self.relax(solver.start(prev(h)), sigma + far, Arrival { h, emission, at, sx, sy: -sy });
+                let at = chart.tx + (sx - chart.tx) * (chart.ty / (chart.ty - sy));
+                let at = larger(0.0, smaller(at, chart.length));
+                self.relax(apex, sigma + far, Arrival { h, emission, at, sx, sy: -sy });
                 if weights[(prev(h) % 3) as usize] > 0.0 {
                     let window = Window { b0: 0.0, b1: chart.length, sx, sy, sigma, emission };
                     self.throw(h, window);
@@ -245,7 +256,7 @@ impl<'a> Front<'a> {
 
     /// Propagates until nothing is left, the stopping rule is met, or the control interrupts it, which is the error. The
     /// number is ρ: labels below it are final.
-    pub(crate) fn run(&mut self, stop: &mut Stop, control: &Control) -> (f64, Result<()>) {
+    pub(crate) fn run(&mut self, stop: &mut Stop, control: Piece) -> (f64, Result<()>) {
         let vertices = self.label.len() as f64;
         let mut watch = Watch::new(control);
         let (mut settled, mut steps) = (0u64, 0u64);
@@ -295,7 +306,7 @@ impl<'a> Front<'a> {
 
     /// The memory in use, beyond what the solver has.
     fn bytes(&self) -> usize {
-        let of_vertex = 2 * size_of::<f64>() + size_of::<Arrival>();
+        let of_vertex = 2 * size_of::<f64>() + size_of::<Arrival>() + size_of::<bool>();
         let windows = self.lists.iter().map(|list| list.windows.capacity()).sum::<usize>()
             + self.memory.values().map(Memory::capacity).sum::<usize>()
             + self.scratch.capacity();
@@ -303,7 +314,10 @@ impl<'a> Front<'a> {
             + self.waiting.len() * size_of::<u32>()
             + self.heap.capacity() * size_of::<Reverse<(u64, u32)>>()
             + self.lists.capacity() * size_of::<List>()
-            + (self.free.capacity() + self.queue.capacity()) * size_of::<u32>()
+            + (self.free.capacity() + self.queue.capacity() + self.reached.capacity()) * size_of::<u32>()
+            + self.emissions.capacity() * size_of::<Emission>()
+            + self.inner.capacity() * size_of::<Inner>()
+            + self.kept.as_ref().map_or(0, Vec::capacity) * size_of::<(u32, Window)>()
             + self.memory.capacity() * size_of::<(u32, Memory)>()
             + windows * size_of::<Window>()
     }
@@ -311,6 +325,39 @@ impl<'a> Front<'a> {
     /// Keeps every window from now on.
     pub(crate) fn keep_windows(&mut self) {
         self.kept = Some(Vec::new());
+    }
+
+    /// The vertices that have a label, in no order.
+    pub(crate) fn reached(&self) -> &[u32] {
+        &self.reached
+    }
+
+    /// The label of a vertex.
+    pub(crate) fn label(&self, v: u32) -> f64 {
+        self.label[v as usize]
+    }
+
+    /// Forgets all but the memory that was taken; costs as much as what was reached.
+    pub(crate) fn clear(&mut self) {
+        for v in std::mem::take(&mut self.reached) {
+            self.label[v as usize] = f64::INFINITY;
+            self.settled[v as usize] = f64::INFINITY;
+            self.is_source[v as usize] = false;
+            // Work that ended early leaves lists that wait for v.
+            for &h in self.solver.mesh.topology().corners.row(v) {
+                let id = std::mem::replace(&mut self.waiting[next(h) as usize], NONE);
+                if let Some(list) = self.lists.get_mut(id as usize) {
+                    *list = List::default();
+                    self.free.push(id);
+                }
+            }
+        }
+        self.heap.clear();
+        self.queue.clear();
+        self.emissions.clear();
+        self.inner.clear();
+        self.memory.clear();
+        self.crossed = 0;
     }
 
     /// What it found.
@@ -442,8 +489,12 @@ impl<'a> Front<'a> {
     }
 
     fn relax(&mut self, v: u32, distance: f64, arrival: Arrival) {
-        if distance < self.label[v as usize] {
-            self.label[v as usize] = distance;
+        let label = &mut self.label[v as usize];
+        if distance < *label {
+            if *label == f64::INFINITY {
+                self.reached.push(v);
+            }
+            *label = distance;
             self.arrival[v as usize] = arrival;
             // Not negative, so its bits order as it does.
             self.heap.push(Reverse((distance.to_bits(), v)));

@@ -13,7 +13,7 @@
 //! Cost: one pass over the heap for ρ. A stopping rule takes it when its vertices are labelled, and again only when all
 //! that stood in the way has left the heap.
 
-use crate::control::Control;
+use crate::control::Piece;
 use crate::error::Result;
 use crate::metric::Scale;
 
@@ -114,13 +114,13 @@ const CHECK_EVERY: u64 = 4096;
 
 /// Consults the control: often enough for people, seldom enough to cost nothing.
 pub(crate) struct Watch<'a> {
-    control: &'a Control,
+    control: Piece<'a>,
     next_check: u64,
     next_weighing: u64,
 }
 
 impl<'a> Watch<'a> {
-    pub(crate) fn new(control: &'a Control) -> Watch<'a> {
+    pub(crate) fn new(control: Piece<'a>) -> Watch<'a> {
         Watch { control, next_check: 0, next_weighing: 0 }
     }
 

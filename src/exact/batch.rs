@@ -1,0 +1,195 @@
+//! Many sets of sources over one mesh: each its own field, side by side in threads.
+//!
+//! Each thread keeps one front and clears what the field before has reached, so that a small field costs little however
+//! large the mesh is. Fields know nothing of each other: their distances are the same, to the bit, for any number of
+//! threads, and the same as those of [`ExactSolver::field`].
+//!
+//! [`ExactSolver::farthest_points`] is one growing field instead: each sample is one more source, and what its windows
+//! reach is only what is nearer to it than to all samples before.
+
+use super::stop::Stop;
+use super::{ExactOptions, ExactSolver, Front, Prepared, check_radius};
+use crate::control::{Control, Piece};
+use crate::error::Result;
+use crate::surface::point::Source;
+use std::num::NonZero;
+use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread;
+
+/// Distances within a radius, row by row: those of each source to the vertices near it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SparseDistances {
+    row_start: Vec<usize>,
+    vertices: Vec<u32>,
+    distances: Vec<f64>,
+}
+
+impl SparseDistances {
+    /// How many rows there are.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.row_start.len() - 1
+    }
+
+    /// Where each row starts in the other two arrays, and at last where they end.
+    #[must_use]
+    pub fn row_start(&self) -> &[usize] {
+        &self.row_start
+    }
+
+    /// The vertices of all rows, in ascending order in each.
+    #[must_use]
+    pub fn vertices(&self) -> &[u32] {
+        &self.vertices
+    }
+
+    /// Their distances, in mesh units.
+    #[must_use]
+    pub fn distances(&self) -> &[f64] {
+        &self.distances
+    }
+}
+
+impl ExactSolver {
+    /// The distances of every vertex from each of several sets of sources: one row per set, each as
+    /// [`ExactSolver::field`] gives it.
+    ///
+    /// 0 `threads` are as many as the machine has. Progress counts rows; a memory limit holds for each thread.
+    ///
+    /// # Errors
+    /// As [`ExactSolver::field`]; the source's number is that in its set.
+    pub fn distance_rows(&self, sets: &[Vec<Source>], threads: usize, control: &Control) -> Result<Vec<Vec<f64>>> {
+        let mesh = &self.0.mesh;
+        let sets = sets.iter().map(|set| Source::checked(set, mesh)).collect::<Result<Vec<_>>>()?;
+        let options = ExactOptions::default();
+        self.0.rows(sets.len(), threads, control, |front, row, control| {
+            let (units, _, ended) = self.0.propagate(front, &sets[row], &options, control);
+            ended?;
+            Ok((0..).take(mesh.vertex_count()).map(|v| units.to_mesh(front.label(v))).collect())
+        })
+    }
+
+    /// The distances up to `radius` from each of several sources, in mesh units: one row per source, start distances
+    /// included, with the vertices that it reaches.
+    ///
+    /// 0 `threads` are as many as the machine has. The work and the memory grow with what is reached, not with the mesh.
+    /// Progress counts rows; a memory limit holds for each thread.
+    ///
+    /// # Errors
+    /// As [`ExactSolver::field`].
+    pub fn distances_within(
+        &self,
+        sources: &[Source],
+        radius: f64,
+        threads: usize,
+        control: &Control,
+    ) -> Result<SparseDistances> {
+        check_radius(radius)?;
+        let seeds = Source::checked(sources, &self.0.mesh)?;
+        let options = ExactOptions { radius, ..ExactOptions::default() };
+        let rows = self.0.rows(seeds.len(), threads, control, |front, row, control| {
+            let (units, _, ended) = self.0.propagate(front, &seeds[row..=row], &options, control);
+            ended?;
+            let near = front.reached().iter().map(|&v| (v, units.to_mesh(front.label(v))));
+            let mut near: Vec<(u32, f64)> = near.filter(|&(_, distance)| distance <= radius).collect();
+            near.sort_unstable_by_key(|&(v, _)| v);
+            Ok(near)
+        })?;
+        let mut all = SparseDistances { row_start: vec![0], vertices: Vec::new(), distances: Vec::new() };
+        for row in rows {
+            all.vertices.extend(row.iter().map(|&(v, _)| v));
+            all.distances.extend(row.iter().map(|&(_, distance)| distance));
+            all.row_start.push(all.vertices.len());
+        }
+        Ok(all)
+    }
+
+    /// Farthest point sampling: up to `count` vertices, each the farthest one from all `first` and from those before it,
+    /// with that distance in mesh units; +inf for the first in a component without any. Of equally far ones it takes the
+    /// first. Fewer where all vertices of triangles are taken.
+    ///
+    /// The first sample costs as much as a field, each further one about as much as the area that it takes.
+    ///
+    /// # Errors
+    /// As [`ExactSolver::field`].
+    pub fn farthest_points(&self, first: &[Source], count: usize, control: &Control) -> Result<Vec<(u32, f64)>> {
+        let prepared = &*self.0;
+        let seeds = Source::checked(first, &prepared.mesh)?;
+        let mut front = Front::new(prepared);
+        let share = |done: usize| done as f64 / (count as f64 + 1.0);
+        // Samples start at 0, which must not be below the least start distance.
+        let least = seeds.iter().map(|seed| seed.offset).fold(0.0, f64::min);
+        let units = prepared.begin(&mut front, &seeds, least);
+        let mut sources = seeds.len() as u32; // fits: sources are numbered by u32
+        let mut samples = Vec::new();
+        loop {
+            let piece = Piece::between(control, share(samples.len()), share(samples.len() + 1));
+            front.run(&mut Stop::new(units, f64::INFINITY, &[]), piece).1?;
+            let Some((v, distance)) = prepared.farthest(&front).filter(|_| samples.len() < count) else { break };
+            samples.push((v, units.to_mesh(distance)));
+            front.start(v, units.scale.to_unit(-least), sources);
+            sources = sources.saturating_add(1);
+        }
+        Ok(samples)
+    }
+}
+
+impl Prepared {
+    /// The vertex of a triangle with the largest label, if one is farther than 0 from all sources.
+    fn farthest(&self, front: &Front) -> Option<(u32, f64)> {
+        let corners = &self.mesh.topology().corners;
+        let on_surface = (0..corners.rows()).filter(|&v| !corners.row(v).is_empty());
+        let farther = |best: Option<(u32, f64)>, v: u32| {
+            let label = front.label(v);
+            if label > best.map_or(0.0, |(_, label)| label) { Some((v, label)) } else { best }
+        };
+        on_surface.fold(None, farther)
+    }
+
+    /// Computes rows on several threads, each with a front of its own that is clear at the start of a row.
+    fn rows<R: Send>(
+        &self,
+        count: usize,
+        threads: usize,
+        control: &Control,
+        row: impl Fn(&mut Front, usize, Piece) -> Result<R> + Sync,
+    ) -> Result<Vec<R>> {
+        let threads = if threads == 0 { thread::available_parallelism().map_or(1, NonZero::get) } else { threads };
+        let (next, done, is_over) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicBool::new(false));
+        let work = |is_caller: bool| {
+            let mut front = Front::new(self);
+            let mut rows = Vec::new();
+            while !is_over.load(Ordering::Relaxed) {
+                let i = next.fetch_add(1, Ordering::Relaxed);
+                if i >= count {
+                    break;
+                }
+                let progress = |done: usize| done as f64 / count as f64;
+                let before = done.load(Ordering::Relaxed);
+                let piece = match is_caller {
+                    true => Piece::between(control, progress(before), progress(before + 1)),
+                    false => Piece::elsewhere(control),
+                };
+                let computed = row(&mut front, i, piece);
+                front.clear();
+                is_over.fetch_or(computed.is_err(), Ordering::Relaxed);
+                rows.push((i, computed));
+                done.fetch_add(1, Ordering::Relaxed);
+            }
+            rows
+        };
+        let mut rows = thread::scope(|scope| {
+            // Where the system gives no more threads, those that there are do all.
+            let spawn = |_| thread::Builder::new().spawn_scoped(scope, || work(false)).ok();
+            let others: Vec<_> = (1..threads.min(count)).map_while(spawn).collect();
+            let mut rows = work(true);
+            for other in others {
+                rows.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
+            }
+            rows
+        });
+        rows.sort_unstable_by_key(|&(i, _)| i);
+        rows.into_iter().map(|(_, row)| row).collect()
+    }
+}
