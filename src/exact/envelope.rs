@@ -250,7 +250,7 @@ impl Memory {
     /// is shorter everywhere.
     fn go_right(&mut self, window: &Window, length: f64, tie: f64) {
         let at = window.b1;
-        let along = Window { b0: at, b1: length, sx: at, sy: 0.0, sigma: window.distance(at), ..*window };
+        let along = Window { b0: at, sx: at, sy: 0.0, sigma: window.distance(at), ..*window };
         let first = self.windows.partition_point(|old| old.b1 <= at);
         let beyond = self.windows[first..].iter().map(|old| (old, old.b0.max(at)));
         let end = beyond.into_iter().find(|&(old, x)| old.distance(x) <= along.distance(x) + 0.5 * tie);
@@ -261,7 +261,7 @@ impl Memory {
     /// The same from the left end.
     fn go_left(&mut self, window: &Window, tie: f64) {
         let at = window.b0;
-        let along = Window { b0: 0.0, b1: at, sx: at, sy: 0.0, sigma: window.distance(at), ..*window };
+        let along = Window { b1: at, sx: at, sy: 0.0, sigma: window.distance(at), ..*window };
         let last = self.windows.partition_point(|old| old.b0 < at);
         let before = self.windows[..last].iter().rev().map(|old| (old, old.b1.min(at)));
         let start = before.into_iter().find(|&(old, x)| old.distance(x) <= along.distance(x) + 0.5 * tie);
