@@ -44,9 +44,10 @@ impl Chart {
 /// In place of a twin where an edge has more than two triangles.
 pub(crate) const SEVERAL: u32 = NONE - 1;
 
-/// A height below this share of the longest edge is raised to it: then a triangle without area still conducts along
-/// its edges and no ray is parallel to an edge. It moves nothing by more than the rounding of the coordinates.
-const LEAST_HEIGHT: f64 = 1.0 / (1u64 << 48) as f64;
+/// The sine of the angle between the two shorter sides is raised to this: then a triangle without area still conducts
+/// along its edges and no ray is parallel to an edge. It moves nothing by more than the rounding of the coordinates, and
+/// changes no length by a bit, so that a short edge turns what crosses it but does not stretch it.
+const LEAST_SINE: f64 = 1.0 / (1u64 << 48) as f64;
 
 /// Angles are summed to about this accuracy; a vertex that is flat up to it is not a pseudo-source.
 const ANGLE_TOLERANCE: f64 = 1e-9;
@@ -68,25 +69,27 @@ pub(crate) fn charts(mesh: &Mesh, scale: Scale) -> Vec<Chart> {
 fn triangle_charts(triangle: [u32; 3], [a, b, c]: [[f64; 3]; 3]) -> [Chart; 3] {
     let sides = [minus(b, a), minus(c, b), minus(a, c)];
     let lengths = sides.map(|side| dot(side, side).sqrt());
-    let longest = lengths[0].max(lengths[1]).max(lengths[2]);
     let double_area = double_area(sides, lengths);
     std::array::from_fn(|k| {
         let length = lengths[k];
         let to_apex = sides[(k + 2) % 3].map(|x| -x);
         let [tx, ty] = if length == 0.0 {
-            [0.0, lengths[(k + 1) % 3].max(longest * LEAST_HEIGHT)]
+            [0.0, lengths[(k + 1) % 3]]
         } else {
-            [dot(to_apex, sides[k]) / length, (double_area / length).max(longest * LEAST_HEIGHT)]
+            [dot(to_apex, sides[k]) / length, double_area / length]
         };
         Chart { length, tx, ty, start: triangle[k], angle: ty.atan2(tx), twin: NONE }
     })
 }
 
-/// Cross product of the two shorter sides: its rounding error is proportional to the product of their lengths.
+/// Cross product of the two shorter sides: its rounding error is proportional to the product of their lengths. An edge
+/// without length counts as one of the length LEAST_SINE of the others.
 fn double_area(sides: [[f64; 3]; 3], lengths: [f64; 3]) -> f64 {
     let longest = (0..3).fold(0, |k, l| if lengths[l] > lengths[k] { l } else { k });
-    let cross = cross(sides[(longest + 1) % 3], sides[(longest + 2) % 3]);
-    dot(cross, cross).sqrt()
+    let shorter = [(longest + 1) % 3, (longest + 2) % 3];
+    let cross = cross(sides[shorter[0]], sides[shorter[1]]);
+    let [a, b] = shorter.map(|k| lengths[k].max(LEAST_SINE * lengths[longest]));
+    dot(cross, cross).sqrt().max(LEAST_SINE * a * b)
 }
 
 /// Which triangles are *slivers*: lower than this share of one of their edges. A straight line turns so little in them
@@ -94,16 +97,22 @@ fn double_area(sides: [[f64; 3]; 3], lengths: [f64; 3]) -> f64 {
 const SLIVER_HEIGHT: f64 = 1e-6;
 
 pub(crate) fn slivers(charts: &[Chart]) -> Vec<bool> {
-    charts
-        .chunks_exact(3)
-        .map(|triangle| triangle.iter().any(|chart| chart.ty <= SLIVER_HEIGHT * chart.length))
-        .collect()
+    charts.chunks_exact(3).map(|triangle| is_lower(triangle, SLIVER_HEIGHT)).collect()
 }
 
-/// Which triangles must remember what crossed them: slivers, and those on an edge that has more than two triangles, where
-/// every crossing multiplies the windows.
-pub(crate) fn remembering(mesh: &Mesh, sliver: &[bool]) -> Vec<bool> {
-    let mut remembers = sliver.to_vec();
+/// Whether a triangle is lower than this share of one of its edges.
+fn is_lower(triangle: &[Chart], share: f64) -> bool {
+    triangle.iter().any(|chart| chart.ty <= share * chart.length)
+}
+
+/// A triangle lower than this share of one of its edges remembers what crossed it: a straight line may wind π / share
+/// times around such triangles.
+const LOW: f64 = 1e-2;
+
+/// Which triangles must remember what crossed them: low ones, and those on an edge that has more than two triangles,
+/// where every crossing multiplies the windows.
+pub(crate) fn remembering(mesh: &Mesh, charts: &[Chart]) -> Vec<bool> {
+    let mut remembers: Vec<bool> = charts.chunks_exact(3).map(|triangle| is_lower(triangle, LOW)).collect();
     let halfedges = &mesh.topology().halfedges;
     for h in (0..halfedges.rows()).map(|e| halfedges.row(e)).filter(|row| row.len() > 2).flatten() {
         remembers[(h / 3) as usize] = true;

@@ -10,8 +10,8 @@
 //!
 //! n windows cost O(n log n) plus one comparison per overlap; what comes out is sorted.
 //!
-//! [`Memory`] trims against what crossed the half-edge before. Slivers need that, as a straight line may cross two
-//! triangles without area, back and forth, for ever, and grow no longer; and edges with more than two triangles, at which
+//! [`Memory`] trims against what crossed the half-edge before. Low triangles need that, as a straight line may wind
+//! around two of them very often, and for ever if they have no area; and edges with more than two triangles, at which
 //! the windows multiply. Elsewhere the labels of the vertices drop a window soon enough, and nothing is remembered.
 //!
 //! Reference: Mitchell, Mount, Papadimitriou 1987 (section 3, intervals of optimality).
@@ -65,8 +65,6 @@ pub(crate) struct Limits {
     pub(crate) at_b: f64,
     /// The length of the edge.
     pub(crate) length: f64,
-    /// A window must be shorter than a path over an end by this share.
-    pub(crate) share: f64,
 }
 
 impl Limits {
@@ -78,7 +76,7 @@ impl Limits {
             let (dx, left) = (x - w.sx, limit - w.sigma);
             left >= 0.0 && dx * dx + w.sy * w.sy <= left * left
         };
-        reaches(w.b1, over_a * self.share) && reaches(w.b0, over_b * self.share)
+        reaches(w.b1, over_a) && reaches(w.b0, over_b)
     }
 }
 
@@ -134,7 +132,7 @@ impl Sweep<'_> {
     /// hands waits for its turn: windows may still come before it.
     fn share(&mut self, mut new: Window, high: f64) {
         let Some(old) = self.kept.last_mut() else { return };
-        let Duel { is_new_first, root, until } = duel(old, &new, [new.b0, high], 0.0);
+        let Duel { is_new_first, root, until } = duel(old, &new, [new.b0, high]);
         let cut = Window { b0: until, ..if is_new_first { new } else { *old } };
         if is_new_first {
             let rest = Window { b0: root, ..*old };
@@ -198,68 +196,111 @@ pub(crate) fn larger(a: f64, b: f64) -> f64 {
 /// The rounding of a distance, as a share.
 const ROUNDING: f64 = 1e-16;
 
-/// What memory leaves of a window is dropped below this share of the window's width, or of its edge.
-const LEAST_REST: f64 = 1e-7;
-const LEAST_WIDTH: f64 = 1e-12;
+/// In triangles that remember, paths that differ by this share of their length and of the triangle are equal: more than
+/// the rounding of a few crossings.
+const TIE: f64 = 1e-14;
 
-/// What crossed the half-edges of triangles that remember; also the measure of what is news to them.
+/// What a path to each point of a half-edge that remembers has cost so far, over it or along its edge.
+///
+/// Between and beyond the windows that crossed, a path leaves the nearest one at its end and goes on along the edge: a
+/// window whose pseudo-source lies there. So the least distances of the points are known to be those of a function that
+/// changes no faster than the way along the edge. A ray that comes back to an edge that it has crossed is no shorter than
+/// from there along the edge: it is no news, wherever it comes back, and no ray crosses a half-edge twice.
+#[derive(Debug, Default)]
 pub(crate) struct Memory {
+    /// Disjoint and sorted.
     windows: Vec<Window>,
-    /// Least width of a window, and how much shorter than a remembered path a new one must be.
-    least: f64,
-    margin: f64,
 }
 
 impl Memory {
-    /// Nothing yet, on an edge of this length. Paths are equal if they differ by the share `tie`.
-    pub(crate) fn new(length: f64, tie: f64) -> Memory {
-        Memory { windows: Vec::new(), least: LEAST_WIDTH * length, margin: tie }
-    }
-
     /// For how many windows memory is taken.
     pub(crate) fn capacity(&self) -> usize {
         self.windows.capacity()
     }
 
-    /// Keeps of the windows what is shorter than anything remembered, and remembers it.
-    ///
-    /// Where a window is cut down to next to nothing, the rest is dropped: between two edges that almost coincide such
-    /// a rest would creep along by its own width at every crossing. A path that the rest would have carried bends at
-    /// its end instead, which makes it longer by the square of that share only.
-    pub(crate) fn keep_news(&mut self, windows: &mut Vec<Window>, scratch: &mut Scratch) {
-        let scratch = &mut scratch.kept;
-        scratch.clear();
+    /// Keeps of the windows what is shorter than anything remembered by more than rounding, and remembers it. No side of
+    /// the triangle is longer than `longest`.
+    pub(crate) fn keep_news(
+        &mut self,
+        windows: &mut Vec<Window>,
+        limits: &Limits,
+        longest: f64,
+        scratch: &mut Scratch,
+    ) {
+        let Some(&any) = windows.first() else { return };
+        let Limits { at_a, at_b, length } = *limits;
+        let tie = |distance: f64| TIE * (distance + longest);
+        self.go_right(&Window { b1: 0.0, sx: 0.0, sy: 0.0, sigma: at_a, ..any }, length, tie(at_a));
+        self.go_left(&Window { b0: length, sx: length, sy: 0.0, sigma: at_b, ..any }, tie(at_b));
+        let news = &mut scratch.kept;
+        news.clear();
         for window in windows.iter() {
-            let least = self.least.max(LEAST_REST * (window.b1 - window.b0));
-            insert(&mut self.windows, *window, self.margin, |piece| {
-                if piece.b1 - piece.b0 >= least {
-                    scratch.push(piece);
-                }
-            });
+            let tie = tie(window.distance(window.b1));
+            insert(&mut self.windows, window, tie, |piece| news.push(piece));
         }
-        std::mem::swap(windows, scratch);
+        for window in news.iter() {
+            let tie = tie(window.distance(window.b1));
+            self.go_left(window, tie);
+            self.go_right(window, length, tie);
+        }
+        std::mem::swap(windows, news);
+    }
+
+    /// Remembers the way along the edge from the right end of a window, up to where another is shorter; from there on it
+    /// is shorter everywhere.
+    fn go_right(&mut self, window: &Window, length: f64, tie: f64) {
+        let at = window.b1;
+        let along = Window { b0: at, sx: at, sy: 0.0, sigma: window.distance(at), ..*window };
+        let first = self.windows.partition_point(|old| old.b1 <= at);
+        let beyond = self.windows[first..].iter().map(|old| (old, old.b0.max(at)));
+        let end = beyond.into_iter().find(|&(old, x)| old.distance(x) <= along.distance(x) + 0.5 * tie);
+        let b1 = end.map_or(length, |(_, x)| x);
+        insert(&mut self.windows, &Window { b1, ..along }, 0.5 * tie, |_| {});
+    }
+
+    /// The same from the left end.
+    fn go_left(&mut self, window: &Window, tie: f64) {
+        let at = window.b0;
+        let along = Window { b1: at, sx: at, sy: 0.0, sigma: window.distance(at), ..*window };
+        let last = self.windows.partition_point(|old| old.b0 < at);
+        let before = self.windows[..last].iter().rev().map(|old| (old, old.b1.min(at)));
+        let start = before.into_iter().find(|&(old, x)| old.distance(x) <= along.distance(x) + 0.5 * tie);
+        let b0 = start.map_or(0.0, |(_, x)| x);
+        insert(&mut self.windows, &Window { b0, ..along }, 0.5 * tie, |_| {});
     }
 }
 
-/// Inserts a window into a disjoint sorted list, at the points where it is shorter by the share `margin`; those pieces
-/// of it go to `won` as well.
-fn insert(disjoint: &mut Vec<Window>, new: Window, margin: f64, mut won: impl FnMut(Window)) {
-    let first = disjoint.iter().rposition(|old| old.b1 <= new.b0).map_or(0, |i| i + 1);
+/// Inserts a window into a disjoint sorted list, at the points where it is shorter by more than `tie`; those pieces of
+/// it go to `won` as well.
+fn insert(disjoint: &mut Vec<Window>, new: &Window, tie: f64, mut won: impl FnMut(Window)) {
+    if new.b0 >= new.b1 {
+        return;
+    }
+    let first = disjoint.partition_point(|old| old.b1 <= new.b0);
+    let last = disjoint.partition_point(|old| old.b0 < new.b1);
     let mut pieces = Pieces::default();
     let mut done = new.b0;
-    for old in disjoint.drain(first..) {
-        pieces.push(&old, false, old.b0, old.b1.min(new.b0));
-        pieces.push(&new, true, done, old.b0.min(new.b1));
-        contest(&mut pieces, &old, &new, margin);
-        pieces.push(&old, false, old.b0.max(new.b1), old.b1);
+    // Neither side changes faster than the way along the edge: who loses by g loses for g / 2 to either side.
+    let mut lost = new.b0;
+    for old in &disjoint[first..last] {
+        pieces.push(old, false, old.b0, old.b1.min(new.b0));
+        pieces.push(new, true, done, old.b0.min(new.b1));
+        let (low, high) = (old.b0.max(new.b0), old.b1.min(new.b1));
+        if lost < high {
+            lost = lost.max(low + 0.5 * (new.distance(low) + tie - old.distance(low)));
+        }
+        if lost >= high {
+            pieces.push(old, false, low, high);
+        } else {
+            contest(&mut pieces, old, new, tie);
+        }
+        pieces.push(old, false, old.b0.max(new.b1), old.b1);
         done = old.b1.max(done);
     }
-    pieces.push(&new, true, done, new.b1);
-    for piece in pieces.0 {
-        disjoint.push(piece.window);
-        if piece.is_new {
-            won(piece.window);
-        }
+    pieces.push(new, true, done, new.b1);
+    if pieces.0.iter().any(|piece| piece.is_new) {
+        disjoint.splice(first..last, pieces.0.iter().map(|piece| piece.window));
+        pieces.0.iter().filter(|piece| piece.is_new).for_each(|piece| won(piece.window));
     }
 }
 
@@ -289,16 +330,26 @@ impl Pieces {
     }
 }
 
-/// Shares out the overlap of two windows.
-fn contest(pieces: &mut Pieces, old: &Window, new: &Window, margin: f64) {
+/// Shares out the overlap of two windows, if the new one is nearer by more than `tie` somewhere.
+fn contest(pieces: &mut Pieces, old: &Window, new: &Window, tie: f64) {
     let (mut low, high) = (old.b0.max(new.b0), old.b1.min(new.b1));
+    let wins = |x: f64| old.distance(x) - new.distance(x) > tie;
+    let between = stationary(old, new);
+    if !(wins(low) || wins(high) || low < between && between < high && wins(between)) {
+        return pieces.push(old, false, low, high);
+    }
     while low < high {
-        let Duel { is_new_first, root, until } = duel(old, new, [low, high], margin);
+        let Duel { is_new_first, root, until } = duel(old, new, [low, high]);
         let [first, second] = if is_new_first { [new, old] } else { [old, new] };
         pieces.push(first, is_new_first, low, root.min(high));
         pieces.push(second, !is_new_first, root, until.min(high));
         low = until;
     }
+}
+
+/// Where the difference of two distances is stationary, seen under one angle: (x - s1x) / s1y = (x - s2x) / s2y.
+fn stationary(old: &Window, new: &Window) -> f64 {
+    (old.sx * new.sy - new.sx * old.sy) / (new.sy - old.sy)
 }
 
 /// Who is nearer along an overlap: one up to the root, and the other from there until some place. Where hands change once
@@ -309,25 +360,23 @@ struct Duel {
     until: f64,
 }
 
-/// To win, the new window must be nearer by the share `margin`.
 #[inline]
-fn duel(old: &Window, new: &Window, [low, high]: [f64; 2], margin: f64) -> Duel {
-    let gain = |x: f64| old.distance(x) * (1.0 - margin) - new.distance(x);
+fn duel(old: &Window, new: &Window, [low, high]: [f64; 2]) -> Duel {
+    let gain = |x: f64| old.distance(x) - new.distance(x);
     let (gain_low, gain_high) = (gain(low), gain(high));
     let is_new_first = gain_low > 0.0;
     let change = |until: f64, gain_until: f64| {
-        let root = crossing(old, new, [low, until], [gain_low, gain_until], margin);
+        let root = crossing(old, new, [low, until], [gain_low, gain_until]);
         Duel { is_new_first, root, until }
     };
     if is_new_first != (gain_high > 0.0) {
         return change(high, gain_high);
     }
-    // Seen under one angle: (x - s1x) / s1y = (x - s2x) / s2y.
-    let stationary = (old.sx * new.sy - new.sx * old.sy) / (new.sy - old.sy);
-    if low < stationary && stationary < high {
-        let between = gain(stationary);
-        if is_new_first != (between > 0.0) {
-            return change(stationary, between);
+    let between = stationary(old, new);
+    if low < between && between < high {
+        let gain_between = gain(between);
+        if is_new_first != (gain_between > 0.0) {
+            return change(between, gain_between);
         }
     }
     Duel { is_new_first, root: if is_new_first { new.b1 } else { old.b1 }, until: f64::INFINITY }
@@ -335,13 +384,7 @@ fn duel(old: &Window, new: &Window, [low, high]: [f64; 2], margin: f64) -> Duel 
 
 /// Where the gain of the new window over the old one changes its sign, to the rounding of the distances: Newton's steps
 /// inside a bracket whose signs are proven, and halves where they lead out of it.
-fn crossing(
-    old: &Window,
-    new: &Window,
-    [mut low, mut high]: [f64; 2],
-    [gain_low, gain_high]: [f64; 2],
-    margin: f64,
-) -> f64 {
+fn crossing(old: &Window, new: &Window, [mut low, mut high]: [f64; 2], [gain_low, gain_high]: [f64; 2]) -> f64 {
     const STEPS: usize = 6;
     let mut x = low + (high - low) * (gain_low / (gain_low - gain_high));
     for step in 0.. {
@@ -354,7 +397,7 @@ fn crossing(
         let (to_old, to_new) = (x - old.sx, x - new.sx);
         let far_old = (to_old * to_old + old.sy * old.sy).sqrt();
         let far_new = (to_new * to_new + new.sy * new.sy).sqrt();
-        let gain = (old.sigma + far_old) * (1.0 - margin) - (new.sigma + far_new);
+        let gain = (old.sigma + far_old) - (new.sigma + far_new);
         if gain.abs() <= ROUNDING * (old.sigma + far_old) {
             break;
         }

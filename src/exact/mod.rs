@@ -51,8 +51,6 @@ pub(crate) struct Prepared {
     scale: Scale,
     charts: Vec<Chart>,
     bends: Vec<Bend>,
-    /// Which triangles are slivers.
-    sliver: Vec<bool>,
     /// Which triangles remember the windows that crossed them.
     remembers: Vec<bool>,
 }
@@ -100,8 +98,8 @@ impl ExactSolver {
         let charts = charts::charts(mesh, scale);
         let sliver = charts::slivers(&charts);
         let bends = charts::bends(mesh, &charts, &sliver);
-        let remembers = charts::remembering(mesh, &sliver);
-        Ok(ExactSolver(Arc::new(Prepared { mesh: mesh.clone(), scale, charts, bends, sliver, remembers })))
+        let remembers = charts::remembering(mesh, &charts);
+        Ok(ExactSolver(Arc::new(Prepared { mesh: mesh.clone(), scale, charts, bends, remembers })))
     }
 
     /// The distance of every vertex from the nearest of `sources`, each with its start distance.

@@ -147,6 +147,9 @@ const WEDGE_PAD: f64 = 1e-3;
 /// A vertex is next to a source that is nearer than this share of their triangle's size.
 const NEXT_TO: f64 = 1e-6;
 
+/// Paths to the apex over places this close, as a share of the edge, differ by less than rounding: any may be p*.
+const SPLIT_PAD: f64 = 1e-7;
+
 /// The state of one propagation; all lengths in units.
 pub(crate) struct Front<'a> {
     solver: &'a Prepared,
@@ -570,20 +573,22 @@ impl<'a> Front<'a> {
             trim(&mut windows, chart.ty, &mut self.scratch);
         }
         if solver.remembers[(h / 3) as usize] {
-            let memory = self.memory.entry(h).or_insert_with(|| Memory::new(chart.length, TIE));
-            memory.keep_news(&mut windows, &mut self.scratch);
+            let longest = chart.length.max(solver.charts[next(h) as usize].length);
+            let longest = longest.max(solver.charts[prev(h) as usize].length);
+            self.memory.entry(h).or_default().keep_news(&mut windows, &limits, longest, &mut self.scratch);
         }
         self.crossed += windows.len() as u64;
         if let Some(kept) = &mut self.kept {
             kept.extend(windows.iter().map(|&window| (h, window)));
         }
         let split = self.split_point(h, distance, at);
+        let unsure = SPLIT_PAD * chart.length;
         let [left, right] = solver.sides(h);
-        self.pass(left.h, left.origin, windows.iter().filter_map(|w| w.left_child(&left.turn, split)));
+        self.pass(left.h, left.origin, windows.iter().filter_map(|w| w.left_child(&left.turn, split + unsure)));
         self.pass(
             right.h,
             right.origin,
-            windows.iter().filter_map(|w| w.right_child(&right.turn, chart.length, split)),
+            windows.iter().filter_map(|w| w.right_child(&right.turn, chart.length, split - unsure)),
         );
         windows.clear();
         self.lists[id as usize].windows = windows;
@@ -599,13 +604,9 @@ impl<'a> Front<'a> {
         }
     }
 
-    /// In a sliver, whose corners are pseudo-sources and throw such rays themselves, a tie with a path over an end of the
-    /// edge is enough to drop a window: rays that graze the edge would wind around the sliver for ever.
     fn limits(&self, h: u32) -> Limits {
-        let solver = self.solver;
-        let [at_a, at_b] = [h, next(h)].map(|h| self.label[solver.start(h) as usize]);
-        let share = if solver.sliver[(h / 3) as usize] { 1.0 - TIE } else { 1.0 };
-        Limits { at_a, at_b, length: solver.charts[h as usize].length, share }
+        let [at_a, at_b] = [h, next(h)].map(|h| self.label[self.solver.start(h) as usize]);
+        Limits { at_a, at_b, length: self.solver.charts[h as usize].length }
     }
 
     /// p*: where the shortest known path over this edge to the apex crosses it: over a window, at `at`, or over an end.

@@ -28,7 +28,7 @@ pub(crate) struct Window {
 }
 
 /// A pseudo-source nearer to an edge than this share of its length lies on it.
-const ON_EDGE: f64 = 1e-10;
+const ON_EDGE: f64 = 1e-13;
 
 /// Places that differ by this share of their distance are the same, up to the rounding of many crossings.
 const SAME: f64 = 1e-13;
