@@ -149,6 +149,8 @@ enum taut_reason
     TAUT_REASON_MISSING_FEATURE = 50,
     /** A factorisation met a pivot that is not positive. */
     TAUT_REASON_NOT_POSITIVE_DEFINITE = 60,
+    /** Rounding leaves a path undetermined, among triangles without area that lie upon each other. */
+    TAUT_REASON_PATH_LOST = 61,
     /** The caller cancelled. */
     TAUT_REASON_CANCELLED = 70,
     /** The time limit of the control is over. */

@@ -76,6 +76,8 @@ pub enum Reason {
     MissingFeature = 50,
     /// A factorisation met a pivot that is not positive.
     NotPositiveDefinite = 60,
+    /// Rounding leaves a path undetermined, among triangles without area that lie upon each other.
+    PathLost = 61,
     /// The caller cancelled.
     Cancelled = 70,
     /// The time limit of the control is over.
@@ -108,7 +110,7 @@ impl Reason {
             Reason::Io => Status::Io,
             Reason::Malformed | Reason::Truncated | Reason::UnknownFormat => Status::Format,
             Reason::MissingFeature => Status::Unsupported,
-            Reason::NotPositiveDefinite => Status::Numeric,
+            Reason::NotPositiveDefinite | Reason::PathLost => Status::Numeric,
             Reason::Cancelled => Status::Cancelled,
             Reason::TimeLimit | Reason::MemoryLimit => Status::LimitReached,
             Reason::TooManyElements | Reason::OutOfMemory => Status::TooLarge,

@@ -246,30 +246,39 @@ impl ExactField {
     }
 
     /// The shortest path from a point back to its nearest source, as long as its distance less the start distance. None
-    /// where no source reaches, and beyond [`ExactField::final_radius`].
+    /// where no source reaches, beyond [`ExactField::final_radius`], and for a vertex of no triangle.
     ///
     /// # Errors
-    /// As [`ExactField::distance`].
+    /// As [`ExactField::distance`]; [`Reason::PathLost`] where rounding leaves it undetermined.
     pub fn path(&self, point: &SurfacePoint) -> Result<Option<Curve>> {
-        let place = self.place(point)?;
-        if self.within(self.trace().distance(place)) == f64::INFINITY {
-            return Ok(None);
-        }
-        Ok(self.trace().path(place).map(|points| Curve { points, is_closed: false }))
+        self.path_from(self.place(point)?)
     }
 
     /// The shortest path from a vertex back to its nearest source, as [`ExactField::path`].
     ///
     /// # Errors
-    /// [`Reason::VertexOutOfRange`].
+    /// [`Reason::VertexOutOfRange`]; [`Reason::PathLost`].
     pub fn path_from_vertex(&self, v: u32) -> Result<Option<Curve>> {
         match self.distances.get(v as usize) {
             None => {
                 let message = format!("there is no vertex {v}, the mesh has {} vertices", self.distances.len());
                 Err(Error::new(Reason::VertexOutOfRange, message))
             }
-            Some(&f64::INFINITY) => Ok(None),
-            Some(_) => Ok(self.trace().path(Place::Vertex(v)).map(|points| Curve { points, is_closed: false })),
+            Some(_) => self.path_from(Place::Vertex(v)),
+        }
+    }
+
+    fn path_from(&self, place: Place) -> Result<Option<Curve>> {
+        let trace = self.trace();
+        let distance = trace.distance(place);
+        if self.within(distance) == f64::INFINITY {
+            return Ok(None);
+        }
+        let on_surface = |v: u32| !self.solver.mesh.topology().corners.row(v).is_empty();
+        match trace.path(place) {
+            Some(points) => Ok(Some(Curve { points, is_closed: false })),
+            None if matches!(place, Place::Vertex(v) if !on_surface(v)) => Ok(None),
+            None => Err(Error::new(Reason::PathLost, "rounding leaves the path undetermined here")),
         }
     }
 

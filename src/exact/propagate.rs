@@ -497,8 +497,11 @@ impl<'a> Front<'a> {
             if *label == f64::INFINITY {
                 self.reached.push(v);
             }
+            // Two vertices at one place could else be told to come from each other.
+            if distance < *label * (1.0 - TIE) {
+                self.arrival[v as usize] = arrival;
+            }
             *label = distance;
-            self.arrival[v as usize] = arrival;
             // Not negative, so its bits order as it does.
             self.heap.push(Reverse((distance.to_bits(), v)));
         }

@@ -9,6 +9,9 @@
 //! the first one does not lead to the pseudo-source. Where an edge has several triangles each is tried in which the
 //! distances of the corners allow it.
 //!
+//! Where triangles without area lie upon each other rounding may lead astray all the same: then a way over a corner does
+//! that is as short. A path that is not as long as its distance is not given.
+//!
 //! A distance costs as much as the triangle has windows, a path as many steps as it crosses triangles.
 
 use super::Prepared;
@@ -16,6 +19,7 @@ use super::charts::Chart;
 use super::propagate::{Arrival, Found};
 use super::window::{Entry, Turn};
 use crate::mesh::topology::{NONE, next, prev};
+use crate::metric::distance;
 use crate::surface::point::{Place, SurfacePoint};
 use std::collections::HashSet;
 
@@ -48,6 +52,18 @@ const CLOSE_CALL: f64 = 1e-6;
 
 /// How far S may be from where it should be, as a share of the way to it and of the triangle's size.
 const FOUND: f64 = 1e-7;
+
+/// A path as long as its distance up to this share is right: more than rounding, less than another way.
+const LENGTH_OFF: f64 = 1e-9;
+
+/// Distances below this, in units, the size of the mesh, are as good as nothing to that end.
+const LEAST: f64 = 1e-4;
+
+/// How many triangles are tried for one piece, as a multiple of all: it crosses none twice.
+const MOST_TRIED: usize = 16;
+
+/// Paths are as short as each other if they differ by this share.
+const AS_SHORT: f64 = 1e-13;
 
 /// A place on an edge that is nearer to its end than this share of its length is the end.
 const AT_END: f64 = 1e-13;
@@ -105,8 +121,31 @@ impl Trace<'_> {
     }
 
     /// The shortest path from a place back to its nearest source; each point but the last names the triangle of the
-    /// segment behind it, the last that of the segment before it. None where no path leads.
+    /// segment behind it, the last that of the segment before it. None where no path as long as the distance is found.
     pub(crate) fn path(&self, place: Place) -> Option<Vec<SurfacePoint>> {
+        let points = self.found_back(place)?;
+        let expected = self.distance(place) - self.start_distance(place);
+        let is_right = (self.length(&points) - expected).abs() <= LENGTH_OFF * (self.distance(place) + LEAST);
+        is_right.then_some(points)
+    }
+
+    /// The start distance of the nearest source.
+    fn start_distance(&self, place: Place) -> f64 {
+        let source = self.nearest_source(place);
+        // The first emission of a source is its own.
+        let own = self.found.emissions.iter().find(|emission| Some(emission.source) == source);
+        own.map_or(0.0, |emission| emission.sigma)
+    }
+
+    /// In units.
+    fn length(&self, points: &[SurfacePoint]) -> f64 {
+        let solver = self.solver;
+        let position = |point: &SurfacePoint| point.position(&solver.mesh).map(|p| p.map(|x| solver.scale.to_unit(x)));
+        let positions: Vec<[f64; 3]> = points.iter().flat_map(position).collect();
+        positions.windows(2).map(|pair| distance(pair[0], pair[1])).sum()
+    }
+
+    fn found_back(&self, place: Place) -> Option<Vec<SurfacePoint>> {
         let mut points = Vec::new();
         let mut v = match place {
             Place::Vertex(v) => v,
@@ -114,7 +153,10 @@ impl Trace<'_> {
                 let Best { face, weights, way, .. } = self.best(&point)?;
                 points.push(SurfacePoint { face, barycentric: weights });
                 match way {
-                    Way::Straight(arrival) => self.piece(arrival, &mut points)?,
+                    Way::Straight(arrival) => {
+                        let from = self.solver.charts[arrival.h as usize].place(arrival.h, weights);
+                        self.piece(arrival, from, &mut points)?
+                    }
                     Way::Corner(v) => {
                         points.push(self.solver.corner(face, v)?);
                         v
@@ -122,32 +164,48 @@ impl Trace<'_> {
                 }
             }
         };
-        while v != NONE {
+        // A path comes over no vertex twice.
+        for _ in 0..=self.found.label.len() {
+            if v == NONE {
+                return Some(self.merged(points));
+            }
             let arrival = self.found.arrival[v as usize];
             if arrival.h == NONE {
                 if points.is_empty() {
                     let &corner = self.solver.mesh.topology().corners.row(v).first()?;
                     points.push(self.solver.corner(corner / 3, v)?);
                 }
-                break;
+                return Some(self.merged(points));
             }
             points.push(self.solver.corner(arrival.h / 3, v)?);
-            v = self.piece(arrival, &mut points)?;
+            let chart = &self.solver.charts[arrival.h as usize];
+            v = self.piece(arrival, [chart.tx, chart.ty], &mut points)?;
         }
-        Some(self.merged(points))
+        None
     }
 
-    /// Follows a straight piece back; `points` ends with the point from which it starts. Returns the pseudo-source that it
-    /// leads to, NONE for a source that is no vertex.
-    fn piece(&self, arrival: Arrival, points: &mut Vec<SurfacePoint>) -> Option<u32> {
+    /// Follows a straight piece back; `points` ends with the point from which it starts, which lies at `from` in the chart
+    /// of the arrival's half-edge. Returns the vertex that it leads to, NONE for a source that is no vertex.
+    ///
+    /// Where triangles without area lie upon each other rounding may lead astray; then a way over a corner does that is as
+    /// short.
+    fn piece(&self, arrival: Arrival, from: [f64; 2], points: &mut Vec<SurfacePoint>) -> Option<u32> {
+        let length = points.len();
+        let (end, vertex) = self.straight(arrival, points).or_else(|| {
+            points.truncate(length);
+            self.over_corner(arrival.h, from, self.distance_at(&arrival, from))
+        })?;
+        points.push(end);
+        Some(vertex)
+    }
+
+    fn straight(&self, arrival: Arrival, points: &mut Vec<SurfacePoint>) -> Option<(SurfacePoint, u32)> {
         let vertex = self.found.emissions.get(arrival.emission as usize)?.vertex;
         if arrival.sy < 0.0 {
-            points.push(self.end_in(arrival.h, arrival)?);
-            return Some(vertex);
+            return Some((self.end_in(arrival.h, arrival)?, vertex));
         }
         if let Some(end) = self.end_on(&arrival, vertex) {
-            points.push(end);
-            return Some(vertex);
+            return Some((end, vertex));
         }
         let beyond = |stand: Arrival, length: usize| {
             self.solver.others(stand.h).map(move |g| (Beyond::new(self.solver, g, &stand), length))
@@ -155,23 +213,33 @@ impl Trace<'_> {
         let mut open: Vec<(Beyond, usize)> = beyond(arrival, points.len()).collect();
         // Different ways round an edge of several triangles can lead to the same place again.
         let mut tried = HashSet::new();
+        let mut astray = None;
         while let Some((triangle, length)) = open.pop() {
             if !tried.insert(triangle.key()) {
                 continue;
+            }
+            if tried.len() > MOST_TRIED * self.solver.mesh.triangle_count() {
+                break;
             }
             points.truncate(length);
             points.push(triangle.point());
             let exits = triangle.exits(self.solver);
             let on_side = || exits.iter().flatten().find_map(|exit| self.end_on(exit, vertex));
             if let Some(end) = self.end_in(triangle.g, triangle.stand).or_else(on_side) {
-                points.push(end);
-                return Some(vertex);
+                return Some((end, vertex));
+            }
+            if astray.is_none() {
+                let here = [triangle.stand.at, 0.0];
+                let over = self.over_corner(triangle.g, here, self.distance_at(&triangle.stand, here));
+                astray = over.map(|over| (points.clone(), over));
             }
             open.extend(
                 exits.into_iter().flatten().filter(|exit| self.may_be(exit)).flat_map(|exit| beyond(exit, length + 1)),
             );
         }
-        None
+        let (way, end) = astray?;
+        *points = way;
+        Some(end)
     }
 
     /// Without the points that coincide with the next one: the segment between has no length.
@@ -192,6 +260,24 @@ impl Trace<'_> {
             *end = renamed;
         }
         merged
+    }
+
+    /// The distance of a place in the chart of a stand's half-edge, on the triangle's side, by way of where it stands.
+    fn distance_at(&self, stand: &Arrival, from: [f64; 2]) -> f64 {
+        let sigma = self.found.emissions.get(stand.emission as usize).map_or(0.0, |emission| emission.sigma);
+        sigma + (stand.at - from[0]).hypot(from[1]) + (stand.sx - stand.at).hypot(stand.sy)
+    }
+
+    /// A corner of the triangle of half-edge h over which a path from a place in its chart is no longer than `distance`.
+    fn over_corner(&self, h: u32, [x, y]: [f64; 2], distance: f64) -> Option<(SurfacePoint, u32)> {
+        let chart = &self.solver.charts[h as usize];
+        let corners = [(h, [0.0, 0.0]), (next(h), [chart.length, 0.0]), (prev(h), [chart.tx, chart.ty])];
+        let over = |&(h, [cx, cy]): &(u32, [f64; 2])| {
+            let label = self.found.label[self.solver.start(h) as usize];
+            label < distance && label + (cx - x).hypot(cy - y) <= distance * (1.0 + AS_SHORT)
+        };
+        let v = self.solver.start(corners.iter().find(|corner| over(corner))?.0);
+        Some((self.solver.corner(h / 3, v)?, v))
     }
 
     /// Whether the distance where a path stands agrees with those of the ends of the edge. Where an edge has several
@@ -268,7 +354,7 @@ impl Beyond {
 
     /// Where the path crosses the edge.
     fn point(&self) -> SurfacePoint {
-        let share = self.stand.at / self.chart.length;
+        let share = if self.chart.length > 0.0 { self.stand.at / self.chart.length } else { 0.0 };
         let mut barycentric = [0.0; 3];
         let at_end = match share {
             share if share < AT_END => 0.0,
