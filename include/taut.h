@@ -555,7 +555,8 @@ typedef struct {
     uint32_t allow_partial;
     /**
      * 1: the field keeps what it needs to answer for points that are no vertices: distances, nearest sources and paths
-     * of these; about 1 kB for a triangle of a scan. 0: it answers for vertices only.
+     * of these; 1 to 2 kB for a triangle of a scan, and twice that while the field is made. 0: it answers for vertices
+     * only.
      */
     uint32_t keep_windows;
 } taut_exact_options;

@@ -37,7 +37,8 @@ pub struct taut_exact_options {
     /// up to `taut_exact_field_final_radius`. 0: it fails.
     pub allow_partial: u32,
     /// 1: the field keeps what it needs to answer for points that are no vertices: distances, nearest sources and paths
-    /// of these; about 1 kB for a triangle of a scan. 0: it answers for vertices only.
+    /// of these; 1 to 2 kB for a triangle of a scan, and twice that while the field is made. 0: it answers for vertices
+    /// only.
     pub keep_windows: u32,
 }
 
