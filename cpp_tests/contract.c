@@ -138,6 +138,15 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_control_set_memory_limit(NULL, 1), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_control_set_callback(NULL, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_exact_field_interruption(NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_field_nearest_sources(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_field_point_distances(NULL, triangles, positions, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_field_point_nearest_sources(NULL, triangles, positions, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_field_paths(NULL, triangles, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(curves == NULL);
+    curves = (taut_curves *)&failures;
+    CHECK_FAILS(taut_exact_field_point_paths(NULL, triangles, positions, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(curves == NULL);
+    curves = (taut_curves *)&failures;
     CHECK_FAILS(taut_isolines_new(NULL, values, values, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(curves == NULL);
     CHECK_FAILS(taut_curves_offsets(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -471,7 +480,7 @@ static void a_radius(void) {
     CHECK_FAILS(taut_exact_field_new(exact, &from_zero, &options, NULL, &field), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     options = (taut_exact_options){.struct_size = sizeof options, .allow_partial = 2};
     CHECK_FAILS(taut_exact_field_new(exact, &from_zero, &options, NULL, &field), TAUT_REASON_BAD_ARGUMENT, 0, 0);
-    options = (taut_exact_options){.struct_size = sizeof options, .reserved = 1};
+    options = (taut_exact_options){.struct_size = sizeof options, .keep_windows = 2};
     CHECK_FAILS(taut_exact_field_new(exact, &from_zero, &options, NULL, &field), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK(field == NULL);
     taut_exact_free(exact);
@@ -795,10 +804,7 @@ static void reports(void) {
     uint64_t component_of[7];
     CHECK(taut_report_component_of(report, (taut_output){.data = component_of, .count = 7, .type = TAUT_TYPE_U64}) ==
           TAUT_STATUS_OK);
-    CHECK(component_of[0] == 0 && component_of[4] == 0 && component_of[5] == UINT32_MAX && component_of[6] == UINT32_MAX);
-    uint16_t narrow[7];
-    CHECK_FAILS(taut_report_component_of(report, (taut_output){.data = narrow, .count = 7, .type = TAUT_TYPE_U16}),
-                TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(component_of[0] == 0 && component_of[4] == 0 && component_of[5] == UINT64_MAX && component_of[6] == UINT64_MAX);
 
     taut_component part = {.struct_size = sizeof part};
     CHECK(taut_report_component(report, 0, &part) == TAUT_STATUS_OK);
@@ -1010,6 +1016,291 @@ static void closest_points_fill_all_views_or_none(void) {
     taut_closest_free(closest);
 }
 
+/* Views without gaps. */
+static taut_input scalars(const double *data, size_t count) { return (taut_input){.data = data, .count = count}; }
+
+static taut_input indices(const uint32_t *data, size_t count) { return (taut_input){.data = data, .count = count}; }
+
+static taut_output room(double *data, size_t count) { return (taut_output){.data = data, .count = count}; }
+
+static taut_exact_field *field_with(const taut_sources *sources, const taut_exact_options *options) {
+    taut_exact *exact = exact_rectangle();
+    taut_exact_field *field = NULL;
+    CHECK(taut_exact_field_new(exact, sources, options, NULL, &field) == TAUT_STATUS_OK);
+    taut_exact_free(exact); /* before the use of what was made from it */
+    return field;
+}
+
+static const taut_exact_options keeping = {.struct_size = sizeof keeping, .keep_windows = 1};
+
+/* At (0.75, 1) in the first triangle: 1.25 from vertex 0 and 3.75 from vertex 2. */
+static const uint32_t face_zero = 0;
+static const double inside[] = {0.5, 0.25, 0.25};
+
+static void sources_in_triangles(void) {
+    taut_exact *exact = exact_rectangle();
+    double d[5];
+    taut_sources from = {.struct_size = sizeof from, .faces = indices(&face_zero, 1), .barycentrics = scalars(inside, 1)};
+    CHECK(field_of(exact, &from, d) == TAUT_STATUS_OK);
+    CHECK(d[0] == 1.25 && fabs(d[2] - 3.75) < 1e-15 && d[4] == INFINITY);
+
+    /* Vertices come first: the point is source 1, and the second offset is its own. */
+    const uint32_t three = 3;
+    const double offsets[] = {0, -1};
+    from.vertices = indices(&three, 1);
+    from.offsets = scalars(offsets, 2);
+    CHECK(field_of(exact, &from, d) == TAUT_STATUS_OK);
+    CHECK(d[0] == 0.25 && fabs(d[2] - 2.75) < 1e-15 && d[3] == 0);
+
+    for (size_t v = 0; v < 5; v++) d[v] = -1;
+    from.offsets.count = 1;
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    from.offsets.count = 0;
+    from.barycentrics.count = 0;
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(strstr(taut_last_error(NULL), "sources.barycentrics") != NULL);
+    const uint32_t beyond = 2;
+    const int64_t negative = -1;
+    const double heavy[] = {1, 1, 0}, below[] = {1.5, -0.5, 0}, no_number[] = {NAN, 0.5, 0.5};
+    const double *bad[] = {heavy, below, no_number};
+    for (size_t i = 0; i < 3; i++) {
+        from.barycentrics = scalars(bad[i], 1);
+        CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_SOURCE, 1);
+    }
+    from.barycentrics = scalars(inside, 1);
+    from.faces = indices(&beyond, 1);
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_SOURCE, 1);
+    from.faces = (taut_input){.data = &negative, .count = 1, .type = TAUT_TYPE_I64};
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_SOURCE, 1);
+    for (size_t v = 0; v < 5; v++) CHECK(d[v] == -1);
+
+    /* An older caller, whose struct ends before the points. */
+    from.struct_size = offsetof(taut_sources, faces);
+    CHECK(field_of(exact, &from, d) == TAUT_STATUS_OK && d[3] == 0 && d[0] == 4);
+    taut_exact_free(exact);
+
+    /* The heat method takes points that are vertices. */
+    taut_mesh *mesh = rectangle();
+    taut_heat *heat = NULL;
+    const double at_corner[] = {0, 0, 1};
+    CHECK(taut_heat_new(mesh, NULL, NULL, &heat) == TAUT_STATUS_OK);
+    from = (taut_sources){.struct_size = sizeof from, .faces = indices(&face_zero, 1), .barycentrics = scalars(inside, 1)};
+    CHECK_FAILS(taut_heat_distances(heat, &from, NULL, room(d, 5)), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_SOURCE, 0);
+    from.barycentrics = scalars(at_corner, 1);
+    CHECK(taut_heat_distances(heat, &from, NULL, room(d, 5)) == TAUT_STATUS_OK && d[3] == 0 && d[0] > 0);
+    taut_heat_free(heat);
+    taut_mesh_free(mesh);
+}
+
+static void nearest_sources(void) {
+    const uint32_t ends[] = {3, 1};
+    const taut_sources from = {.struct_size = sizeof from, .vertices = indices(ends, 2)};
+    taut_exact_field *field = field_with(&from, NULL);
+    uint16_t u16[5];
+    uint32_t u32[5];
+    uint64_t u64[5];
+    int32_t i32[5];
+    int64_t i64[5];
+    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = u16, .count = 5, .type = TAUT_TYPE_U16}) == 0);
+    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = u32, .count = 5}) == 0);
+    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = u64, .count = 5, .type = TAUT_TYPE_U64}) == 0);
+    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = i32, .count = 5, .type = TAUT_TYPE_I32}) == 0);
+    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = i64, .count = 5, .type = TAUT_TYPE_I64}) == 0);
+    const int expected[] = {1, 1, 0, 0};
+    for (size_t v = 0; v < 4; v++) {
+        CHECK(u16[v] == expected[v] && u32[v] == u16[v] && u64[v] == u16[v] && i32[v] == u16[v] && i64[v] == u16[v]);
+    }
+    CHECK(u16[4] == UINT16_MAX && u32[4] == UINT32_MAX && u64[4] == UINT64_MAX && i32[4] == -1 && i64[4] == -1);
+    u32[0] = 77;
+    CHECK_FAILS(taut_exact_field_nearest_sources(field, (taut_output){.data = u32, .count = 4}),
+                TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK(u32[0] == 77);
+    taut_exact_field_free(field);
+
+    /* The last of so many that in 16 bits its number would look like none. */
+    enum { MANY = UINT16_MAX + 1 };
+    uint32_t *same = calloc(MANY, sizeof *same);
+    double *offsets = calloc(MANY, sizeof *offsets);
+    offsets[MANY - 1] = -1;
+    const taut_sources many = {
+        .struct_size = sizeof many, .vertices = indices(same, MANY), .offsets = scalars(offsets, MANY)};
+    field = field_with(&many, NULL);
+    u16[0] = 77;
+    CHECK_FAILS(taut_exact_field_nearest_sources(field, (taut_output){.data = u16, .count = 5, .type = TAUT_TYPE_U16}),
+                TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(u16[0] == 77);
+    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = i32, .count = 5, .type = TAUT_TYPE_I32}) == 0);
+    CHECK(i32[0] == MANY - 1 && i32[2] == MANY - 1 && i32[4] == -1);
+    taut_exact_field_free(field);
+    free(same);
+    free(offsets);
+}
+
+/* At vertex 2, and at (2.25, 3): both in the second triangle. */
+static const uint32_t two_faces[] = {1, 1};
+static const double two_weights[] = {0, 1, 0, 0.25, 0.5, 0.25};
+
+static void points_of_a_field(void) {
+    const uint32_t ends[] = {4, 0};
+    const taut_sources from = {.struct_size = sizeof from, .vertices = indices(ends, 2)};
+    const taut_input faces = indices(two_faces, 2), weights = scalars(two_weights, 2);
+    taut_exact_field *field = field_with(&from, &keeping);
+    double d[2] = {-1, -1};
+    int32_t nearest[2] = {77, 77};
+    const taut_output out = room(d, 2), numbers = {.data = nearest, .count = 2, .type = TAUT_TYPE_I32};
+    CHECK(taut_exact_field_point_distances(field, faces, weights, out) == TAUT_STATUS_OK);
+    CHECK(d[0] == 5 && fabs(d[1] - 3.75) < 1e-15);
+    CHECK(taut_exact_field_point_nearest_sources(field, faces, weights, numbers) == TAUT_STATUS_OK);
+    CHECK(nearest[0] == 1 && nearest[1] == 1);
+    CHECK(taut_exact_field_point_distances(field, (taut_input){0}, (taut_input){0}, (taut_output){0}) == TAUT_STATUS_OK);
+
+    /* Any packing: a face of 16 bits beside its weights as floats. */
+    struct {
+        uint16_t face;
+        float weights[3];
+    } packed = {1, {0.25f, 0.5f, 0.25f}};
+    float single = -1;
+    CHECK(taut_exact_field_point_distances(
+              field, (taut_input){.data = &packed.face, .count = 1, .stride = sizeof packed, .type = TAUT_TYPE_U16},
+              (taut_input){.data = packed.weights, .count = 1, .stride = sizeof packed, .type = TAUT_TYPE_F32},
+              (taut_output){.data = &single, .count = 1, .type = TAUT_TYPE_F32}) == TAUT_STATUS_OK);
+    CHECK(single == 3.75f);
+
+    /* All or nothing. */
+    const uint32_t beyond[] = {1, 2};
+    const uint64_t far_beyond[] = {1, UINT64_C(1) << 32};
+    const double heavy[] = {0, 1, 0, 1, 1, 1};
+    const taut_input wide = {.data = far_beyond, .count = 2, .type = TAUT_TYPE_U64};
+    d[0] = d[1] = -1;
+    nearest[0] = nearest[1] = 77;
+    CHECK_FAILS(taut_exact_field_point_distances(field, indices(beyond, 2), weights, out), TAUT_REASON_BAD_ARGUMENT,
+                TAUT_ELEMENT_POINT, 1);
+    CHECK_FAILS(taut_exact_field_point_distances(field, wide, weights, out), TAUT_REASON_BAD_ARGUMENT,
+                TAUT_ELEMENT_POINT, 1);
+    CHECK_FAILS(taut_exact_field_point_nearest_sources(field, faces, scalars(heavy, 2), numbers),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 1);
+    CHECK_FAILS(taut_exact_field_point_distances(field, faces, scalars(two_weights, 1), out), TAUT_REASON_BAD_ARGUMENT,
+                0, 0);
+    CHECK_FAILS(taut_exact_field_point_distances(field, faces, (taut_input){.count = 2}, out), TAUT_REASON_NULL_POINTER,
+                0, 0);
+    CHECK(strstr(taut_last_error(NULL), "`barycentrics.data`") != NULL);
+    CHECK_FAILS(taut_exact_field_point_distances(field, faces, weights, room(d, 1)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_exact_field_point_nearest_sources(field, faces, weights, (taut_output){.data = nearest, .count = 1}),
+                TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    taut_exact_field_free(field);
+
+    /* Without windows it knows vertices only; so for an older caller. */
+    taut_exact_options older = keeping;
+    older.struct_size = offsetof(taut_exact_options, keep_windows);
+    field = field_with(&from, &older);
+    CHECK_FAILS(taut_exact_field_point_distances(field, faces, weights, out), TAUT_REASON_BAD_ARGUMENT,
+                TAUT_ELEMENT_POINT, 1);
+    CHECK_FAILS(taut_exact_field_point_nearest_sources(field, faces, weights, numbers), TAUT_REASON_BAD_ARGUMENT,
+                TAUT_ELEMENT_POINT, 1);
+    CHECK(d[0] == -1 && d[1] == -1 && nearest[0] == 77 && nearest[1] == 77);
+    CHECK(taut_exact_field_point_distances(field, indices(two_faces, 1), scalars(two_weights, 1), out) == TAUT_STATUS_OK);
+    CHECK(d[0] == 5 && d[1] == -1);
+    taut_exact_field_free(field);
+}
+
+/* Copies out what the curves have, at most four curves of six points together. */
+typedef struct {
+    uint32_t offsets[5], faces[6], closed[4], levels[4];
+    double positions[18];
+} drawing;
+
+static drawing drawn(taut_curves *curves) {
+    drawing it;
+    memset(&it, 0xff, sizeof it);
+    CHECK(taut_curves_offsets(curves, (taut_output){.data = it.offsets, .count = 5}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_faces(curves, (taut_output){.data = it.faces, .count = 6}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_closed(curves, (taut_output){.data = it.closed, .count = 4}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_levels(curves, (taut_output){.data = it.levels, .count = 4}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_positions(curves, room(it.positions, 6)) == TAUT_STATUS_OK);
+    taut_curves_free(curves);
+    return it;
+}
+
+static bool is_at(const double *position, double x, double y) {
+    return fabs(position[0] - x) < 1e-15 && fabs(position[1] - y) < 1e-15 && position[2] == 0;
+}
+
+static void paths(void) {
+    taut_exact_field *field = field_with(&from_zero, &keeping);
+    /* Over the diagonal; from the source itself; from where no path leads; along a side. */
+    const uint32_t targets[] = {2, 0, 4, 1}, beyond[] = {0, 5};
+    const int32_t negative[] = {0, -1};
+    taut_curves *curves = NULL;
+    CHECK(taut_exact_field_paths(field, indices(targets, 4), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_count(curves) == 4 && taut_curves_point_count(curves) == 6);
+    drawing it = drawn(curves);
+    CHECK(it.offsets[0] == 0 && it.offsets[1] == 3 && it.offsets[2] == 4 && it.offsets[3] == 4 && it.offsets[4] == 6);
+    for (uint32_t i = 0; i < 4; i++) CHECK(it.closed[i] == 0 && it.levels[i] == i);
+    CHECK(is_at(it.positions, 3, 4) && is_at(it.positions + 3, 1.5, 2) && is_at(it.positions + 6, 0, 0));
+    CHECK(it.faces[0] == 1 && it.faces[1] == 0 && it.faces[2] == 0);
+    CHECK(is_at(it.positions + 9, 0, 0));
+    CHECK(is_at(it.positions + 12, 3, 0) && is_at(it.positions + 15, 0, 0));
+
+    CHECK(taut_exact_field_point_paths(field, indices(two_faces, 2), scalars(two_weights, 2), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_count(curves) == 2 && taut_curves_point_count(curves) == 6);
+    it = drawn(curves);
+    CHECK(it.offsets[1] == 3 && it.offsets[2] == 6);
+    CHECK(is_at(it.positions, 3, 4));
+    CHECK(is_at(it.positions + 9, 2.25, 3) && is_at(it.positions + 12, 1.5, 2) && is_at(it.positions + 15, 0, 0));
+
+    curves = (taut_curves *)&failures; /* must be overwritten */
+    CHECK_FAILS(taut_exact_field_paths(field, indices(beyond, 2), &curves), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+                TAUT_ELEMENT_TARGET, 1);
+    CHECK(curves == NULL);
+    CHECK_FAILS(taut_exact_field_paths(field, (taut_input){.data = negative, .count = 2, .type = TAUT_TYPE_I32}, &curves),
+                TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_ELEMENT_TARGET, 1);
+    CHECK_FAILS(taut_exact_field_paths(field, indices(targets, 4), NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    curves = (taut_curves *)&failures;
+    CHECK_FAILS(taut_exact_field_point_paths(field, indices(beyond, 2), scalars(two_weights, 2), &curves),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 1);
+    CHECK(curves == NULL);
+    taut_exact_field_free(field);
+
+    /* Beyond the final radius nothing is known. */
+    taut_exact_options near = keeping;
+    near.radius = 4;
+    field = field_with(&from_zero, &near);
+    double d[2];
+    uint32_t nearest[5];
+    CHECK(taut_exact_field_paths(field, indices(targets, 4), &curves) == TAUT_STATUS_OK);
+    it = drawn(curves);
+    CHECK(it.offsets[1] == 0 && it.offsets[2] == 1 && it.offsets[3] == 1 && it.offsets[4] == 3);
+    CHECK(taut_exact_field_point_distances(field, indices(two_faces, 2), scalars(two_weights, 2), room(d, 2)) == 0);
+    CHECK(d[0] == INFINITY && fabs(d[1] - 3.75) < 1e-15);
+    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = nearest, .count = 5}) == TAUT_STATUS_OK);
+    CHECK(nearest[0] == 0 && nearest[2] == UINT32_MAX && nearest[3] == 0);
+    taut_exact_field_free(field);
+}
+
+/* The manual's example: what is nearest to two clicks is a source and a target as it stands. */
+static void from_click_to_click(void) {
+    taut_closest *closest = closest_rectangle();
+    taut_exact *exact = exact_rectangle();
+    taut_exact_field *field = NULL;
+    taut_curves *path = NULL;
+    const double clicks[] = {0.75, 1, 9, 2.25, 3, -9};
+    uint32_t faces[2];
+    double weights[6], off[2];
+    taut_status status = taut_closest_points(closest, scalars(clicks, 2), (taut_output){.data = faces, .count = 2},
+                                             room(weights, 2), room(off, 2));
+    const taut_sources click = {
+        .struct_size = sizeof click, .faces = indices(faces, 1), .barycentrics = scalars(weights, 1)};
+    if (!status) status = taut_exact_field_new(exact, &click, &keeping, NULL, &field);
+    if (!status) status = taut_exact_field_point_paths(field, indices(faces + 1, 1), scalars(weights + 3, 1), &path);
+    CHECK(status == TAUT_STATUS_OK && off[0] == 9 && off[1] == 9);
+    CHECK(taut_curves_point_count(path) == 3);
+    const drawing it = drawn(path);
+    CHECK(is_at(it.positions, 2.25, 3) && is_at(it.positions + 3, 1.5, 2) && is_at(it.positions + 6, 0.75, 1));
+    taut_exact_field_free(field);
+    taut_exact_free(exact);
+    taut_closest_free(closest);
+}
+
 int main(void) {
     before_any_failure();
     versions_and_names();
@@ -1037,6 +1328,11 @@ int main(void) {
     curves_fill_views_whole_or_not_at_all();
     closest_points();
     closest_points_fill_all_views_or_none();
+    sources_in_triangles();
+    nearest_sources();
+    points_of_a_field();
+    paths();
+    from_click_to_click();
     if (failures) fprintf(stderr, "%d checks failed\n", failures);
     return failures ? 1 : 0;
 }

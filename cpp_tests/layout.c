@@ -22,10 +22,12 @@ FIELD(taut_output, count, 8);
 FIELD(taut_output, stride, 16);
 FIELD(taut_output, type, 24);
 
-SIZE(taut_sources, 72);
+SIZE(taut_sources, 136);
 FIELD(taut_sources, struct_size, 0);
 FIELD(taut_sources, vertices, 8);
 FIELD(taut_sources, offsets, 40);
+FIELD(taut_sources, faces, 72);
+FIELD(taut_sources, barycentrics, 104);
 
 SIZE(taut_time_step, 24);
 FIELD(taut_time_step, formula, 0);
@@ -47,7 +49,7 @@ FIELD(taut_exact_options, struct_size, 0);
 FIELD(taut_exact_options, targets, 8);
 FIELD(taut_exact_options, radius, 40);
 FIELD(taut_exact_options, allow_partial, 48);
-FIELD(taut_exact_options, reserved, 52);
+FIELD(taut_exact_options, keep_windows, 52);
 
 SIZE(taut_error, 32);
 FIELD(taut_error, struct_size, 0);

@@ -75,7 +75,10 @@ inline Peers read_peers(const std::string &name) {
 }
 
 inline taut_sources from_vertex(const std::uint32_t &vertex) {
-    return taut_sources{sizeof(taut_sources), {&vertex, 1, 0, TAUT_TYPE_U32}, {}};
+    taut_sources sources = {};
+    sources.struct_size = sizeof sources;
+    sources.vertices = {&vertex, 1, 0, TAUT_TYPE_U32};
+    return sources;
 }
 
 inline std::vector<double> exact_distances(const Peers &peers, std::uint32_t source) {

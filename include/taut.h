@@ -24,7 +24,25 @@
  * For the heat method: taut_heat_new(mesh, NULL, NULL, &heat), then taut_heat_distances(heat, &from, NULL, output) for
  * each set of sources, then taut_heat_free(heat). examples/distance.c is a whole program.
  *
- * Ownership. A _new call writes a handle through its last parameter; free it once with the _free of the same noun.
+ * Places on the surface are a triangle and the weights of its three corners: rows of one index and rows of three real
+ * numbers, in two buffers. What taut_closest_points() finds is a source, or a point to ask a field about, as it stands:
+ *
+ *     // const double clicks[3 * 2]; uint32_t faces[2]; double weights[3 * 2], off[2]; from the first to the second:
+ *     status = taut_closest_points(closest, (taut_input){ .data = clicks, .count = 2 },
+ *                                  (taut_output){ .data = faces, .count = 2 },
+ *                                  (taut_output){ .data = weights, .count = 2 },
+ *                                  (taut_output){ .data = off, .count = 2 });
+ *     taut_sources click = { .struct_size = sizeof click, .faces = { .data = faces, .count = 1 },
+ *                            .barycentrics = { .data = weights, .count = 1 } };
+ *     taut_exact_options options = { .struct_size = sizeof options, .keep_windows = 1 };
+ *     if (!status) status = taut_exact_field_new(exact, &click, &options, NULL, &field);
+ *     if (!status) status = taut_exact_field_point_paths(field, (taut_input){ .data = faces + 1, .count = 1 },
+ *                                                        (taut_input){ .data = weights + 3, .count = 1 }, &path);
+ *
+ * Then taut_curves_point_count(path) tells how many points the shortest path has, taut_curves_positions() where they
+ * are. The path begins at the second click: it leads back to the source.
+ *
+ * Ownership. A call that makes a handle writes it through its last parameter; free it once with the _free of its type.
  * Handles may be freed in any order: what was made from a mesh keeps what it needs of it. Buffers and structs that are
  * passed in stay the caller's; a call reads them while it runs and keeps nothing.
  *
@@ -210,17 +228,18 @@ typedef struct taut_closest taut_closest;
 typedef struct taut_control taut_control;
 
 /**
- * Polylines on the surface of a mesh. Their points stand one after another, those of the first curve first.
+ * Polylines on the surface of a mesh: isolines or shortest paths. Their points stand one after another, those of the
+ * first curve first.
  *
  * The segment from a point to the next one lies in the triangle that the point names. A closed curve has one more, from
- * its last point to its first, which is not repeated.
+ * its last point to its first, which is not repeated; the last point of an open one names the last segment's triangle.
  */
 typedef struct taut_curves taut_curves;
 
 /** A mesh prepared for exact distances. Serves any number of calls. */
 typedef struct taut_exact taut_exact;
 
-/** The exact distances from one set of sources. */
+/** The exact distances from one set of sources, and the shortest paths to them. */
 typedef struct taut_exact_field taut_exact_field;
 
 /** The heat method prepared for one mesh and one time step: operators and their factors. Serves any number of calls. */
@@ -493,9 +512,10 @@ typedef struct {
 } taut_heat_options;
 
 /**
- * Where distances are measured from: one or more vertices, each at its own start distance.
+ * Where distances are measured from: vertices, points of the surface, or both, each at its own start distance.
  *
- * Later versions append fields for points inside triangles.
+ * Sources are numbered from 0, the vertices first and the points after them: offsets are given, errors named, and
+ * nearest sources told by this number.
  */
 typedef struct {
     /** `sizeof(taut_sources)`. */
@@ -503,10 +523,17 @@ typedef struct {
     /** Rows of one vertex index. */
     taut_input vertices;
     /**
-     * Rows of one real number, the start distance of each vertex in mesh units: finite, of any sign. As many as there
-     * are vertices, or none, which means 0 for all.
+     * Rows of one real number, the start distance of each source in mesh units: finite, of any sign. As many as there
+     * are vertices and points together, or none, which means 0 for all.
      */
     taut_input offsets;
+    /** Rows of one index, a point of the surface each: the triangle in which it lies. */
+    taut_input faces;
+    /**
+     * Rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, not negative,
+     * their sum 1 up to 1e-6.
+     */
+    taut_input barycentrics;
 } taut_sources;
 
 /** Options of `taut_exact_field_new`. All zero but the size is the default. */
@@ -528,8 +555,12 @@ typedef struct {
      * up to `taut_exact_field_final_radius`. 0: it fails.
      */
     uint32_t allow_partial;
-    /** 0. */
-    uint32_t reserved;
+    /**
+     * 1: the field keeps what it needs to answer for points that are no vertices: distances, nearest sources and paths
+     * of these; 1 to 2 kB for a triangle of a scan, and twice that while the field is made. 0: it answers for vertices
+     * only.
+     */
+    uint32_t keep_windows;
 } taut_exact_options;
 
 #ifdef __cplusplus
@@ -822,8 +853,8 @@ taut_status taut_report_component(const taut_report *report, size_t component, t
  * Tells the component of each vertex.
  *
  * - `report`: not NULL.
- * - `out`: rows of one index of the type `uint32_t` or wider, at least as many as there are vertices; UINT32_MAX for a
- *   vertex that no triangle uses.
+ * - `out`: rows of one index, at least as many as there are vertices. For a vertex that no triangle uses all bits are
+ *   set: -1 in a signed type, the largest value of an unsigned one.
  *
  * Errors: as for `taut_report_list`. Cost: O(V). Threads: any. Cannot be cancelled.
  */
@@ -912,15 +943,16 @@ double taut_heat_time_step(const taut_heat *heat);
  * Computes the distance of every vertex by the heat method: approximate, smooth, fast for many calls.
  *
  * - `heat`: not NULL.
- * - `sources`: where to measure from; not NULL, at least one.
+ * - `sources`: where to measure from; not NULL, at least one. A point must be a vertex: one of its weights is 1.
  * - `control`: progress, cancellation and a time limit, or NULL.
  * - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
  *   reaches.
  *
- * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE and TAUT_REASON_SOURCE_ON_BOUNDARY name the source;
- * TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: a few sparse triangular solves,
- * about O(V log V); with `TAUT_SHIFT_PINNED` and several sources in one component also a factorisation. Threads: any,
- * also on one `heat` at once. The control is consulted between the steps, not inside a solve.
+ * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and
+ * TAUT_REASON_SOURCE_ON_BOUNDARY name the source; TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED,
+ * TAUT_REASON_TIME_LIMIT. Cost: a few sparse triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` and several
+ * sources in one component also a factorisation. Threads: any, also on one `heat` at once. The control is consulted
+ * between the steps, not inside a solve.
  */
 taut_status taut_heat_distances(const taut_heat *heat,
                                 const taut_sources *sources,
@@ -952,12 +984,13 @@ void taut_exact_free(taut_exact *exact);
  * - `control`: progress, cancellation and limits, or NULL.
  * - `out`: receives the field, to be freed with `taut_exact_field_free`; NULL on failure.
  *
- * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE names the source or target; TAUT_REASON_BAD_ARGUMENT;
- * and, unless `allow_partial` is set, TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT, TAUT_REASON_MEMORY_LIMIT. Cost:
- * about 20 windows per triangle on scanned surfaces, O(V^2) at worst, and with targets or a radius in proportion to the
- * area within; memory for the moving front, 32 bytes a vertex and 12 a triangle. Threads: any, also on one `exact` at
- * once. The control is consulted every few thousand windows, about a millisecond apart, in which the memory grows by a
- * few hundred kB at most.
+ * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE names the source or target; TAUT_REASON_BAD_ARGUMENT
+ * names the source that is no place on the mesh, or the option; and, unless `allow_partial` is set,
+ * TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT, TAUT_REASON_MEMORY_LIMIT. Cost: about 20 windows per triangle on
+ * scanned surfaces, O(V^2) at worst, and with targets or a radius in proportion to the area within; memory for the
+ * moving front, 48 bytes a vertex and 12 a triangle, and with `keep_windows` about 50 bytes a window. Threads: any, also
+ * on one `exact` at once. The control is consulted every few thousand windows, about a millisecond apart, in which the
+ * memory grows by a few hundred kB at most.
  */
 taut_status taut_exact_field_new(const taut_exact *exact,
                                  const taut_sources *sources,
@@ -975,6 +1008,85 @@ taut_status taut_exact_field_new(const taut_exact *exact,
  * Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: O(V). Threads: any. Cannot be cancelled.
  */
 taut_status taut_exact_field_distances(const taut_exact_field *field, taut_output out);
+
+/**
+ * Tells the nearest source of each vertex, by its number among the sources.
+ *
+ * - `field`: not NULL.
+ * - `out`: rows of one index, at least as many as there are vertices. Where no source reaches, and beyond
+ *   `taut_exact_field_final_radius`, all bits are set: -1 in a signed type, the largest value of an unsigned one.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: O(V). Threads:
+ * any. Cannot be cancelled.
+ */
+taut_status taut_exact_field_nearest_sources(const taut_exact_field *field, taut_output out);
+
+/**
+ * Tells the distance of points of the surface.
+ *
+ * - `field`: not NULL; made with `keep_windows`, unless all points are vertices.
+ * - `faces`: rows of one index: the triangle in which each point lies.
+ * - `barycentrics`: rows of three real numbers, as many as there are faces: the weights of the triangle's corners, not
+ *   negative, their sum 1 up to 1e-6.
+ * - `out`: rows of one real number, at least as many as there are faces; mesh units. +INFINITY where no source reaches,
+ *   and beyond `taut_exact_field_final_radius`.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT names the point that the mesh does not have, or that is no vertex where the field
+ * keeps no windows; TAUT_REASON_BUFFER_TOO_SMALL. Cost: a look at each window of a point's triangle. Threads: any.
+ * Cannot be cancelled.
+ */
+taut_status taut_exact_field_point_distances(const taut_exact_field *field,
+                                             taut_input faces,
+                                             taut_input barycentrics,
+                                             taut_output out);
+
+/**
+ * Tells the nearest source of points of the surface, by its number among the sources.
+ *
+ * - `field`, `faces`, `barycentrics`: as for `taut_exact_field_point_distances`.
+ * - `out`: rows of one index, at least as many as there are faces, filled as by `taut_exact_field_nearest_sources`.
+ *
+ * Errors: as for `taut_exact_field_point_distances`; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: a
+ * look at each window of a point's triangle. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_exact_field_point_nearest_sources(const taut_exact_field *field,
+                                                   taut_input faces,
+                                                   taut_input barycentrics,
+                                                   taut_output out);
+
+/**
+ * Draws the shortest path from each of some vertices back to its nearest source.
+ *
+ * A path is as long as the distance less the start distance of the source. It begins at the target and ends at the
+ * source; a target that is a source has one point. No two points that follow each other are at one position.
+ *
+ * - `field`: not NULL.
+ * - `targets`: rows of one vertex index.
+ * - `out`: receives one curve for each target, in their order, to be freed with `taut_curves_free`; NULL on failure. A
+ *   curve has no points where no source reaches, beyond `taut_exact_field_final_radius`, and for a vertex that no
+ *   triangle uses.
+ *
+ * Errors: TAUT_REASON_VERTEX_OUT_OF_RANGE names the target; TAUT_REASON_TOO_MANY_ELEMENTS where the points exceed 32-bit
+ * indices. Cost: linear in the triangles that the paths cross. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_exact_field_paths(const taut_exact_field *field,
+                                   taut_input targets,
+                                   taut_curves **out);
+
+/**
+ * Draws the shortest path from each of some points of the surface back to its nearest source.
+ *
+ * - `field`, `faces`, `barycentrics`: as for `taut_exact_field_point_distances`.
+ * - `out`: receives one curve for each point, as from `taut_exact_field_paths`.
+ *
+ * Errors: as for `taut_exact_field_point_distances`; TAUT_REASON_TOO_MANY_ELEMENTS where the points exceed 32-bit
+ * indices. Cost: linear in the triangles that the paths cross and the windows of the points' triangles. Threads: any.
+ * Cannot be cancelled.
+ */
+taut_status taut_exact_field_point_paths(const taut_exact_field *field,
+                                         taut_input faces,
+                                         taut_input barycentrics,
+                                         taut_curves **out);
 
 /**
  * Tells up to which distance the field is complete: distances up to this one are there and final, beyond it all are
@@ -1044,7 +1156,7 @@ size_t taut_curves_point_count(const taut_curves *curves);
 
 /**
  * Copies out where the points of each curve begin: curve i has the points from offsets[i] up to, not including,
- * offsets[i + 1], at least two.
+ * offsets[i + 1]: at least two, but for a path of length 0, which has one, and where there is no path, none.
  *
  * - `curves`: not NULL.
  * - `out`: rows of one index, at least `taut_curves_count` + 1; the first is 0, the last the number of points.
@@ -1096,15 +1208,15 @@ taut_status taut_curves_barycentrics(const taut_curves *curves, taut_output out)
 taut_status taut_curves_closed(const taut_curves *curves, taut_output out);
 
 /**
- * Copies out which level each curve belongs to.
+ * Copies out which level each curve belongs to, or which target or point each path is from.
  *
  * - `curves`: not NULL.
- * - `out`: rows of one index, at least `taut_curves_count` of them: the level's place among the levels, never decreasing.
+ * - `out`: rows of one index, at least `taut_curves_count` of them: the place among the levels, never decreasing; of
+ *   paths, which are one for each target or point, just 0, 1, 2 and so on.
  *
  * Errors: as for `taut_curves_offsets`. Cost: linear in the curves. Threads: any. Cannot be cancelled.
  */
-taut_status taut_curves_levels(const taut_curves *curves,
-                               taut_output out);
+taut_status taut_curves_levels(const taut_curves *curves, taut_output out);
 
 /** Frees curves; NULL is fine. */
 void taut_curves_free(taut_curves *curves);

@@ -183,15 +183,16 @@ pub extern "C" fn taut_heat_time_step(heat: Option<&taut_heat>) -> f64 {
 /// Computes the distance of every vertex by the heat method: approximate, smooth, fast for many calls.
 ///
 /// - `heat`: not NULL.
-/// - `sources`: where to measure from; not NULL, at least one.
+/// - `sources`: where to measure from; not NULL, at least one. A point must be a vertex: one of its weights is 1.
 /// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
 ///   reaches.
 ///
-/// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE and TAUT_REASON_SOURCE_ON_BOUNDARY name the source;
-/// TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: a few sparse triangular solves,
-/// about O(V log V); with `TAUT_SHIFT_PINNED` and several sources in one component also a factorisation. Threads: any,
-/// also on one `heat` at once. The control is consulted between the steps, not inside a solve.
+/// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and
+/// TAUT_REASON_SOURCE_ON_BOUNDARY name the source; TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED,
+/// TAUT_REASON_TIME_LIMIT. Cost: a few sparse triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` and several
+/// sources in one component also a factorisation. Threads: any, also on one `heat` at once. The control is consulted
+/// between the steps, not inside a solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_distances(
     heat: Option<&taut_heat>,

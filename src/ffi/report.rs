@@ -233,16 +233,17 @@ pub unsafe extern "C" fn taut_report_component(
 /// Tells the component of each vertex.
 ///
 /// - `report`: not NULL.
-/// - `out`: rows of one index of the type `uint32_t` or wider, at least as many as there are vertices; UINT32_MAX for a
-///   vertex that no triangle uses.
+/// - `out`: rows of one index, at least as many as there are vertices. For a vertex that no triangle uses all bits are
+///   set: -1 in a signed type, the largest value of an unsigned one.
 ///
 /// Errors: as for `taut_report_list`. Cost: O(V). Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_report_component_of(report: Option<&taut_report>, out: taut_output) -> Status {
     guard(|| {
         let component_of = &required(report, "report")?.0.component_of;
+        let components: Vec<Option<u32>> = component_of.iter().map(|&c| (c != u32::MAX).then_some(c)).collect();
         // SAFETY: the header asks for a view of writable memory.
-        unsafe { out.write_indices(component_of.as_chunks::<1>().0, "out") }
+        unsafe { out.write_optional_indices(&components, "out") }
     })
 }
 

@@ -1,14 +1,15 @@
-//! `taut_curves`: polylines on the surface, so far isolines.
+//! `taut_curves`: polylines on the surface, isolines and shortest paths.
 
 use super::guard::{free, guard, guard_new, guard_value, required};
 use super::mesh::taut_mesh;
 use super::types::{taut_input, taut_output};
-use crate::{Error, Isoline, Mesh, Reason, Result, Status, isolines};
+use crate::{Curve, Error, Isoline, Mesh, Reason, Result, Status, isolines};
 
-/// Polylines on the surface of a mesh. Their points stand one after another, those of the first curve first.
+/// Polylines on the surface of a mesh: isolines or shortest paths. Their points stand one after another, those of the
+/// first curve first.
 ///
 /// The segment from a point to the next one lies in the triangle that the point names. A closed curve has one more, from
-/// its last point to its first, which is not repeated.
+/// its last point to its first, which is not repeated; the last point of an open one names the last segment's triangle.
 pub struct taut_curves {
     /// Where the points of each curve begin, and where all end.
     offsets: Vec<[u32; 1]>,
@@ -21,26 +22,27 @@ pub struct taut_curves {
 }
 
 impl taut_curves {
-    fn new(mesh: &Mesh, lines: &[Isoline]) -> Result<taut_curves> {
-        let mut curves = taut_curves {
+    /// No curves yet.
+    pub(super) fn new() -> taut_curves {
+        taut_curves {
             offsets: vec![[0]],
             positions: Vec::new(),
             faces: Vec::new(),
             barycentrics: Vec::new(),
             closed: Vec::new(),
             levels: Vec::new(),
-        };
-        for Isoline { level, curve } in lines {
-            curves.positions.extend(curve.positions(mesh)?);
-            curves.faces.extend(curve.points.iter().map(|point| [point.face]));
-            curves.barycentrics.extend(curve.points.iter().map(|point| point.barycentric));
-            curves.closed.push([u32::from(curve.is_closed)]);
-            curves.levels.push([*level]);
-            let end = u32::try_from(curves.faces.len());
-            let end = end.map_err(|_| Error::new(Reason::TooManyElements, "the points exceed 32-bit indices"))?;
-            curves.offsets.push([end]);
         }
-        Ok(curves)
+    }
+
+    pub(super) fn push(&mut self, mesh: &Mesh, level: u32, curve: &Curve) -> Result<()> {
+        self.positions.extend(curve.positions(mesh)?);
+        self.faces.extend(curve.points.iter().map(|point| [point.face]));
+        self.barycentrics.extend(curve.points.iter().map(|point| point.barycentric));
+        self.closed.push([u32::from(curve.is_closed)]);
+        self.levels.push([level]);
+        let end = u32::try_from(self.faces.len());
+        self.offsets.push([end.map_err(|_| Error::new(Reason::TooManyElements, "the points exceed 32-bit indices"))?]);
+        Ok(())
     }
 }
 
@@ -71,7 +73,11 @@ pub unsafe extern "C" fn taut_isolines_new(
         let mesh = &required(mesh, "mesh")?.0;
         // SAFETY: the header asks for views of readable memory.
         let (values, levels) = unsafe { (values.numbers("values")?, levels.numbers("levels")?) };
-        taut_curves::new(mesh, &isolines(mesh, &values, &levels)?)
+        let mut curves = taut_curves::new();
+        for Isoline { level, curve } in isolines(mesh, &values, &levels)? {
+            curves.push(mesh, level, &curve)?;
+        }
+        Ok(curves)
     };
     // SAFETY: the header asks for a writable `out`.
     unsafe { guard_new(out, body) }
@@ -98,7 +104,7 @@ pub extern "C" fn taut_curves_point_count(curves: Option<&taut_curves>) -> usize
 }
 
 /// Copies out where the points of each curve begin: curve i has the points from offsets[i] up to, not including,
-/// offsets[i + 1], at least two.
+/// offsets[i + 1]: at least two, but for a path of length 0, which has one, and where there is no path, none.
 ///
 /// - `curves`: not NULL.
 /// - `out`: rows of one index, at least `taut_curves_count` + 1; the first is 0, the last the number of points.
@@ -160,10 +166,11 @@ pub unsafe extern "C" fn taut_curves_closed(curves: Option<&taut_curves>, out: t
     guard(|| unsafe { out.write_indices(&required(curves, "curves")?.closed, "out") })
 }
 
-/// Copies out which level each curve belongs to.
+/// Copies out which level each curve belongs to, or which target or point each path is from.
 ///
 /// - `curves`: not NULL.
-/// - `out`: rows of one index, at least `taut_curves_count` of them: the level's place among the levels, never decreasing.
+/// - `out`: rows of one index, at least `taut_curves_count` of them: the place among the levels, never decreasing; of
+///   paths, which are one for each target or point, just 0, 1, 2 and so on.
 ///
 /// Errors: as for `taut_curves_offsets`. Cost: linear in the curves. Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]

@@ -1,7 +1,7 @@
 //! What crosses the border by value: views of the caller's buffers, sources, structs that state their own size.
 
 use super::guard::null;
-use crate::{Element, ElementType, Error, IndexType, Reason, Result, Rows, ScalarType, Source};
+use crate::{Element, ElementType, Error, IndexType, Reason, Result, Rows, ScalarType, Source, SurfacePoint};
 use libc::c_void;
 use std::mem::MaybeUninit;
 
@@ -55,9 +55,10 @@ pub struct taut_output {
     pub r#type: taut_type,
 }
 
-/// Where distances are measured from: one or more vertices, each at its own start distance.
+/// Where distances are measured from: vertices, points of the surface, or both, each at its own start distance.
 ///
-/// Later versions append fields for points inside triangles.
+/// Sources are numbered from 0, the vertices first and the points after them: offsets are given, errors named, and
+/// nearest sources told by this number.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct taut_sources {
@@ -65,9 +66,14 @@ pub struct taut_sources {
     pub struct_size: usize,
     /// Rows of one vertex index.
     pub vertices: taut_input,
-    /// Rows of one real number, the start distance of each vertex in mesh units: finite, of any sign. As many as there
-    /// are vertices, or none, which means 0 for all.
+    /// Rows of one real number, the start distance of each source in mesh units: finite, of any sign. As many as there
+    /// are vertices and points together, or none, which means 0 for all.
     pub offsets: taut_input,
+    /// Rows of one index, a point of the surface each: the triangle in which it lies.
+    pub faces: taut_input,
+    /// Rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, not negative,
+    /// their sum 1 up to 1e-6.
+    pub barycentrics: taut_input,
 }
 
 // SAFETY: repr(C), starts with its size; views are valid for any bytes, and a later field begins after the last one.
@@ -212,9 +218,36 @@ impl taut_output {
     /// # Safety
     /// As [`taut_output::write_scalars`].
     pub(super) unsafe fn write_indices<const WIDTH: usize>(self, rows: &[[u32; WIDTH]], name: &str) -> Result<()> {
+        let largest = rows.iter().flatten().copied().max().unwrap_or(0);
+        // SAFETY: as the caller promises.
+        unsafe { self.write_integers(rows, largest, u64::from, name) }
+    }
+
+    /// Writes rows of one index, all or none; no index is all ones in an unsigned type, -1 in a signed one.
+    ///
+    /// # Safety
+    /// As [`taut_output::write_scalars`].
+    pub(super) unsafe fn write_optional_indices(self, indices: &[Option<u32>], name: &str) -> Result<()> {
+        // One more than the largest must fit too, so that no index looks like none.
+        let largest = indices.iter().flatten().max().map_or(0, |i| i.saturating_add(1));
+        let bits = |index: Option<u32>| index.map_or(u64::MAX, u64::from);
+        // SAFETY: as the caller promises.
+        unsafe { self.write_integers(indices.as_chunks::<1>().0, largest, bits, name) }
+    }
+
+    /// Writes the low `bits` of rows of integers, if the `largest` fits.
+    ///
+    /// # Safety
+    /// As [`taut_output::write_scalars`].
+    unsafe fn write_integers<S: Copy, const WIDTH: usize>(
+        self,
+        rows: &[[S; WIDTH]],
+        largest: u32,
+        bits: impl Fn(S) -> u64,
+        name: &str,
+    ) -> Result<()> {
         let kind = index_type(self.r#type, name)?;
         let layout = self.layout::<WIDTH, _>(rows.len(), kind, name)?;
-        let largest = rows.iter().flatten().copied().max().unwrap_or(0);
         let fits = match kind {
             IndexType::U16 => u16::try_from(largest).is_ok(),
             IndexType::I32 => i32::try_from(largest).is_ok(),
@@ -224,14 +257,14 @@ impl taut_output {
             let message = format!("`{name}.type` is too small for the index {largest}");
             return Err(Error::new(Reason::BadArgument, message));
         }
-        // SAFETY: as in write_scalars. The casts lose nothing: the largest index fits.
+        // SAFETY: as in write_scalars. The casts lose nothing of an index: the largest fits.
         unsafe {
             match kind {
-                IndexType::U16 => layout.write(self.data, rows, |i: u32| i as u16),
-                IndexType::U32 => layout.write(self.data, rows, |i: u32| i),
-                IndexType::U64 => layout.write(self.data, rows, u64::from),
-                IndexType::I32 => layout.write(self.data, rows, |i: u32| i as i32),
-                IndexType::I64 => layout.write(self.data, rows, i64::from),
+                IndexType::U16 => layout.write(self.data, rows, |i| bits(i) as u16),
+                IndexType::U32 => layout.write(self.data, rows, |i| bits(i) as u32),
+                IndexType::U64 => layout.write(self.data, rows, bits),
+                IndexType::I32 => layout.write(self.data, rows, |i| bits(i) as i32),
+                IndexType::I64 => layout.write(self.data, rows, |i| bits(i) as i64),
             }
         }
         Ok(())
@@ -341,7 +374,36 @@ pub(super) unsafe fn vertices(view: taut_input, name: &str, element: fn(u64) -> 
     (0..rows.count()).map(vertex).collect()
 }
 
-/// The caller's sources.
+/// Points of the surface; a face that does not fit in 32 bits names its row by `element`. In messages the names of the
+/// views begin with `owner`.
+///
+/// # Safety
+/// The views describe readable memory.
+pub(super) unsafe fn surface_points(
+    faces: taut_input,
+    barycentrics: taut_input,
+    owner: &str,
+    element: impl Fn(u64) -> Element,
+) -> Result<Vec<SurfacePoint>> {
+    let [faces_name, weights_name] = ["faces", "barycentrics"].map(|name| format!("{owner}{name}"));
+    // SAFETY: as the caller promises.
+    let (faces, weights) = unsafe { (faces.indices(1, &faces_name)?, barycentrics.scalars(3, &weights_name)?) };
+    if faces.count() != weights.count() {
+        let message =
+            format!("`{faces_name}` has {} rows, but `{weights_name}` has {}", faces.count(), weights.count());
+        return Err(Error::new(Reason::BadArgument, message));
+    }
+    let point = |row: usize| match faces.index(row, 0) {
+        Some(face) => Ok(SurfacePoint { face, barycentric: [0, 1, 2].map(|k| weights.scalar(row, k)) }),
+        None => {
+            let message = "lies in a triangle whose index is negative or beyond 32 bits";
+            Err(Error::at(Reason::BadArgument, element(row as u64), message))
+        }
+    };
+    (0..faces.count()).map(point).collect()
+}
+
+/// The caller's sources: the vertices, then the points.
 ///
 /// # Safety
 /// `sources` is NULL or points to a struct of the size it states, whose views describe readable memory.
@@ -350,17 +412,21 @@ pub(super) unsafe fn sources(sources: *const taut_sources) -> Result<Vec<Source>
         return Err(null("sources"));
     }
     // SAFETY: as the caller promises.
-    let (vertices, offsets) = unsafe {
+    let (vertices, offsets, points) = unsafe {
         let sources = read_sized(sources, "sources")?;
-        (
-            vertices(sources.vertices, "sources.vertices", Element::Source)?,
-            sources.offsets.scalars(1, "sources.offsets")?,
-        )
+        let vertices = vertices(sources.vertices, "sources.vertices", Element::Source)?;
+        let element = |row| Element::Source(vertices.len() as u64 + row);
+        let points = surface_points(sources.faces, sources.barycentrics, "sources.", element)?;
+        (vertices, sources.offsets.numbers("sources.offsets")?, points)
     };
-    if offsets.count() != 0 && offsets.count() != vertices.len() {
-        let message = format!("`sources` has {} vertices, but {} offsets", vertices.len(), offsets.count());
+    let places = vertices.into_iter().map(Source::vertex).chain(points.into_iter().map(Source::point));
+    let mut sources: Vec<Source> = places.collect();
+    if !offsets.is_empty() && offsets.len() != sources.len() {
+        let message = format!("`sources` has {} vertices and points, but {} offsets", sources.len(), offsets.len());
         return Err(Error::new(Reason::BadArgument, message));
     }
-    let offset = |row| if offsets.count() == 0 { 0.0 } else { offsets.scalar(row, 0) };
-    Ok(vertices.iter().enumerate().map(|(row, &v)| Source::vertex(v).with_offset(offset(row))).collect())
+    for (source, offset) in sources.iter_mut().zip(offsets) {
+        *source = source.with_offset(offset);
+    }
+    Ok(sources)
 }
