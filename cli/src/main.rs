@@ -15,6 +15,7 @@ mod measured;
 mod mesh_out;
 mod numbers;
 mod output;
+mod path;
 mod picture;
 
 use clap::{Parser, Subcommand};
@@ -37,6 +38,7 @@ enum Command {
     Distance(distance::DistanceArgs),
     Info(info::InfoArgs),
     Isolines(isolines::IsolinesArgs),
+    Path(path::PathArgs),
 }
 
 impl Command {
@@ -47,6 +49,7 @@ impl Command {
             Command::Distance(args) => args.check(),
             Command::Info(_) => Ok(()),
             Command::Isolines(args) => args.check(),
+            Command::Path(args) => args.check(),
         }
     }
 
@@ -56,6 +59,7 @@ impl Command {
             Command::Distance(args) => distance::run(args),
             Command::Info(args) => info::run(args),
             Command::Isolines(args) => isolines::run(args),
+            Command::Path(args) => path::run(args),
         }
     }
 }

@@ -7,6 +7,7 @@
 use super::body::Body;
 use super::camera::{Camera, Frame};
 use super::raster::{self, CENTRE, Window};
+use crate::numbers;
 use glam::{DVec3, Vec3};
 use std::str::FromStr;
 
@@ -42,9 +43,7 @@ const NO_VIEW: &str = "neither front, back, left, right, top or bottom nor a dir
 
 /// The unit vector of "x,y,z".
 fn direction(text: &str) -> Option<Vec3> {
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse()).collect();
-    let [x, y, z] = numbers.ok()?[..] else { return None };
-    let from = DVec3::new(x, y, z);
+    let from = DVec3::from(numbers::triple(text)?);
     let most = from.abs().max_element();
     (from.is_finite() && most > 0.0).then(|| (from / most).normalize().as_vec3())
 }
