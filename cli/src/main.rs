@@ -3,6 +3,7 @@
 //! Exit code 0 is success, 1 a failure (said on standard error), 2 a command line that makes no sense.
 
 mod args;
+mod cells;
 mod compare;
 mod comparison;
 mod distance;
@@ -17,6 +18,7 @@ mod numbers;
 mod output;
 mod path;
 mod picture;
+mod voronoi;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -39,6 +41,7 @@ enum Command {
     Info(info::InfoArgs),
     Isolines(isolines::IsolinesArgs),
     Path(path::PathArgs),
+    Voronoi(voronoi::VoronoiArgs),
 }
 
 impl Command {
@@ -50,6 +53,7 @@ impl Command {
             Command::Info(_) => Ok(()),
             Command::Isolines(args) => args.check(),
             Command::Path(args) => args.check(),
+            Command::Voronoi(args) => args.check(),
         }
     }
 
@@ -60,6 +64,7 @@ impl Command {
             Command::Info(args) => info::run(args),
             Command::Isolines(args) => isolines::run(args),
             Command::Path(args) => path::run(args),
+            Command::Voronoi(args) => voronoi::run(args),
         }
     }
 }
