@@ -19,7 +19,6 @@ pub(crate) struct Cells {
     /// The source that is nearest to each vertex or, on a border, to its triangle.
     pub(crate) nearest: Vec<Option<u32>>,
     triangles: Vec<[u32; 3]>,
-    pub(crate) borders: Vec<Vec<[f64; 3]>>,
     /// The sources whose cells share a border, the larger number first.
     neighbours: BTreeSet<[u32; 2]>,
 }
@@ -31,7 +30,6 @@ impl Cells {
             positions: mesh.positions().to_vec(),
             nearest: field.nearest_sources().collect(),
             triangles: Vec::with_capacity(mesh.triangle_count()),
-            borders: Vec::new(),
             neighbours: BTreeSet::new(),
         };
         let mut edges = Edges { field, found: HashMap::new() };
@@ -76,7 +74,6 @@ impl Cells {
             for k in 0..3 {
                 let corner = mesh.positions()[triangle[k] as usize];
                 self.add(nearest[k], &[corner, places[k], middle, places[(k + 2) % 3]]);
-                self.borders.push(vec![places[k], middle]);
             }
             return Ok(());
         }
@@ -88,7 +85,6 @@ impl Cells {
                 let corners = triangle.map(|v| mesh.positions()[v as usize]);
                 self.add(nearest[k], &[corners[k], after, before]);
                 self.add(nearest[next], &[after, corners[next], corners[last], before]);
-                self.borders.push(vec![after, before]);
             }
         }
         Ok(())

@@ -114,7 +114,7 @@ fn draw<'a>(args: &'a VoronoiArgs, cells: &Cells, mesh: &Mesh, sources: &[Source
         values: &cells.nearest.iter().map(colour).collect::<Vec<_>>(),
         sources: &input::places(sources, mesh)?,
         levels: None,
-        lines: &cells.borders,
+        lines: &[],
     })
 }
 
