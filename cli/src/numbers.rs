@@ -1,4 +1,5 @@
-//! Files of numbers, one entry a line: sources and reference distances. `#` begins a comment, blank lines mean nothing.
+//! Numbers as people write them: three with commas on the command line, and files with one entry a line, sources or
+//! distances, where `#` begins a comment and blank lines mean nothing.
 
 use crate::Result;
 use std::path::Path;

@@ -96,7 +96,7 @@ impl Path {
             let [x, y, z] = [0, 1, 2].map(|axis| ends[1][axis] - ends[0][axis]);
             x.hypot(y).hypot(z)
         };
-        self.positions.windows(2).map(step).sum()
+        0.0 + self.positions.windows(2).map(step).sum::<f64>() // the sum of nothing is -0
     }
 }
 
@@ -176,7 +176,7 @@ fn text(paths: &[Option<Path>]) -> String {
     for (target, path) in paths.iter().enumerate() {
         let gap = if target > 0 { "\n" } else { "" };
         let Some(path) = path else {
-            let _ = writeln!(text, "{gap}# target {target}: unreachable");
+            let _ = writeln!(text, "{gap}# target {target}: no path");
             continue;
         };
         let _ = writeln!(text, "{gap}# target {target}: source {}, length {}", path.source, path.length());

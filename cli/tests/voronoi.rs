@@ -103,6 +103,29 @@ fn every_cell_has_a_colour_that_ends_at_its_border() {
 }
 
 #[test]
+fn every_mesh_has_cells_and_a_picture() {
+    let desk = Desk::new();
+    let triangle = |scale: &str| format!("v 0 0 0\nv {scale} 0 0\nv 0 {scale} 0\nf 1 2 3\n");
+    for (name, mesh, area) in [
+        ("a line", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n".to_owned(), Some(0.0)),
+        ("one place", "v 5 5 5\nv 5 5 5\nv 5 5 5\nf 1 2 3\n".to_owned(), Some(0.0)),
+        ("large", triangle("1e150"), Some(1e300 / 6.0)),
+        ("huge", triangle("1.7e308"), None),
+        ("subnormal", triangle("1e-320"), Some(0.0)),
+        ("twice and folded", triangle("1") + "v 0 1 1\nf 1 2 3\nf 3 2 1\nf 1 2 4\nf 2 1 1\n", Some(0.5)),
+    ] {
+        desk.write("mesh.obj", &mesh);
+        let line = "voronoi mesh.obj --source 0 --source 1 --source 2 --picture cells.png --size 64x64 --json";
+        let found = desk.json(line)["cells"][2]["area"].as_f64();
+        let is_right = match (found, area) {
+            (Some(found), Some(area)) => (found - area).abs() <= 0.5 * area,
+            _ => found == area,
+        };
+        assert!(is_right, "{name}: {found:?}, expected {area:?}");
+    }
+}
+
+#[test]
 fn what_makes_no_sense_is_refused_and_leaves_no_file() {
     let desk = Desk::with_grid();
     for (code, line, expected) in [
