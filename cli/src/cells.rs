@@ -172,3 +172,22 @@ impl Edges<'_> {
         Ok(point(share))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use taut::{Control, ExactOptions, ExactSolver, Source, shapes};
+
+    #[test]
+    fn neighbours_have_different_colours() {
+        let mesh = shapes::icosphere(4).mesh().unwrap();
+        let sources: Vec<Source> = (0..60).map(|i| Source::vertex(i * 42)).collect();
+        let options = ExactOptions { keep_windows: true, ..ExactOptions::default() };
+        let field = ExactSolver::new(&mesh).unwrap().field(&sources, &options, &Control::new()).unwrap();
+        let cells = Cells::new(&mesh, &field).unwrap();
+        let colours = cells.colours(60, 8);
+        assert!(cells.neighbours.len() > 100 && cells.neighbours.iter().any(|&[s, t]| (s - t) % 8 == 0));
+        assert!(cells.neighbours.iter().all(|&[s, t]| colours[s as usize] != colours[t as usize]));
+        assert!((0..8).all(|colour| colours.iter().filter(|&&other| other == colour).count() >= 4), "{colours:?}");
+    }
+}

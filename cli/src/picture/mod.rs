@@ -276,6 +276,25 @@ mod tests {
     }
 
     #[test]
+    fn the_viewer_goes_where_lines_are_seen() {
+        let mesh = shapes::icosphere(3).mesh().unwrap();
+        let values = vec![f64::INFINITY; mesh.vertex_count()];
+        for side in [[0.0, 1.0], [1.0, 0.0], [0.0, -1.0], [-1.0, 0.0]] {
+            // Half way round the equator, above its triangles.
+            let at = |angle: f64| {
+                let (sin, cos) = angle.sin_cos();
+                [side[0] * cos - side[1] * sin, 0.0, side[1] * cos + side[0] * sin]
+            };
+            let line = vec![(-15..=15).map(|i| at(0.1 * f64::from(i))).collect()];
+            let (mesh, quantity) = (&mesh, Quantity::Distance);
+            let picture = Picture { mesh, quantity, values: &values, sources: &[], levels: None, lines: &line };
+            let lined = picture.draw(None, [400, 400]);
+            let dark = lined.pixels[..].chunks(400).flat_map(|row| &row[..280]).filter(|p| p.x < 0.03).count();
+            assert!(dark > 80, "{side:?}: {dark}");
+        }
+    }
+
+    #[test]
     fn isolines_are_where_they_are_wanted() {
         let mesh = shapes::grid(4, 4).mesh().unwrap();
         let values: Vec<f64> = mesh.positions().iter().map(|p| p[0]).collect();
