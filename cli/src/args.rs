@@ -1,6 +1,6 @@
 //! Options that several commands share.
 
-use crate::Cli;
+use crate::{Cli, numbers};
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, ValueEnum};
 use std::path::PathBuf;
@@ -13,13 +13,8 @@ pub(crate) struct FieldArgs {
     /// Mesh file: .glb, .obj, .off, .ply or .stl, also with .gz behind it
     pub(crate) mesh: PathBuf,
 
-    /// Source vertex; may be given several times, for the distance to the nearest
-    #[arg(long = "source", value_name = "V", conflicts_with = "sources")]
-    pub(crate) source: Vec<u32>,
-
-    /// File of sources, one a line: vertex and, if wanted, start distance; # begins a comment
-    #[arg(long, value_name = "FILE")]
-    pub(crate) sources: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) sources: SourceArgs,
 
     /// How distances are found
     #[arg(long, value_enum, default_value_t = Method::Heat)]
@@ -30,6 +25,37 @@ pub(crate) struct FieldArgs {
 
     #[command(flatten)]
     pub(crate) exact: ExactArgs,
+}
+
+/// Where distances are measured from; sources count from 0, vertices before points.
+#[derive(Debug, Args)]
+pub(crate) struct SourceArgs {
+    /// Source vertex; may be given several times, for the distance to the nearest
+    #[arg(long = "source", value_name = "V", conflicts_with = "sources")]
+    pub(crate) source: Vec<u32>,
+
+    /// Source on the surface where it is nearest to this point; may be given several times. The
+    /// exact method knows such sources, the heat method does not
+    #[arg(
+        verbatim_doc_comment,
+        long,
+        value_name = "X,Y,Z",
+        value_parser = position,
+        allow_hyphen_values = true,
+        conflicts_with = "sources"
+    )]
+    pub(crate) source_at: Vec<[f64; 3]>,
+
+    /// File of sources, one a line; # begins a comment:
+    ///   V [D]               a vertex and, if wanted, its start distance
+    ///   F W0 W1 W2 [D]      a point of triangle F by the weights of its corners, which sum to 1
+    #[arg(verbatim_doc_comment, long, value_name = "FILE")]
+    pub(crate) sources: Option<PathBuf>,
+}
+
+/// A point in space on the command line.
+pub(crate) fn position(text: &str) -> Result<[f64; 3], &'static str> {
+    numbers::triple(text).filter(|point| point.iter().all(|x| x.is_finite())).ok_or("not three finite numbers x,y,z")
 }
 
 const HEAT: &str = "Options of the heat method";
@@ -77,7 +103,7 @@ const EXACT: &str = "Options of the exact method";
 
 #[derive(Debug, Args)]
 pub(crate) struct ExactArgs {
-    /// Stop at this distance, in the units of the mesh; vertices farther away have inf
+    /// Stop at this distance, in the units of the mesh; what is farther counts as unreachable
     #[arg(help_heading = EXACT, long, value_name = "R", allow_negative_numbers = true)]
     radius: Option<f64>,
 
@@ -89,7 +115,7 @@ pub(crate) struct ExactArgs {
     #[arg(help_heading = EXACT, long, value_name = "MB")]
     memory_limit: Option<usize>,
 
-    /// At a limit, write the distances that are final by then, and inf for the others
+    /// At a limit, write what is final by then; the rest counts as unreachable
     #[arg(help_heading = EXACT, long)]
     partial: bool,
 }
@@ -165,10 +191,9 @@ fn seconds(text: &str) -> Result<Duration, String> {
 impl FieldArgs {
     /// Refuses what clap cannot see by itself.
     pub(crate) fn check(&self) -> Result<(), clap::Error> {
+        self.sources.check()?;
+        self.exact.check()?;
         let error = |kind, message: &str| Err(Cli::command().error(kind, message));
-        if self.source.is_empty() && self.sources.is_none() {
-            return error(ErrorKind::MissingRequiredArgument, "give at least one --source, or a file of --sources");
-        }
         if let (Method::Exact, Some(option)) = (self.method, self.heat.first_given()) {
             let message = format!("{option} belongs to the heat method and means nothing with --method exact");
             return error(ErrorKind::ArgumentConflict, &message);
@@ -177,12 +202,20 @@ impl FieldArgs {
             let message = format!("{option} belongs to the exact method and means nothing without --method exact");
             return error(ErrorKind::ArgumentConflict, &message);
         }
-        if self.exact.partial && self.exact.time_limit.is_none() && self.exact.memory_limit.is_none() {
-            return error(ErrorKind::MissingRequiredArgument, "--partial needs a --time-limit or a --memory-limit");
-        }
         if let (Some(TimeStepArg::Value(_)), Some(_)) = (self.heat.time_step, self.heat.time_factor) {
             let message = "--time-factor multiplies a formula's t; --time-step gives t as a number";
             return error(ErrorKind::ArgumentConflict, message);
+        }
+        Ok(())
+    }
+}
+
+impl SourceArgs {
+    /// Refuses what clap cannot see by itself.
+    pub(crate) fn check(&self) -> Result<(), clap::Error> {
+        if self.source.is_empty() && self.source_at.is_empty() && self.sources.is_none() {
+            let message = "give at least one --source or --source-at, or a file of --sources";
+            return Err(Cli::command().error(ErrorKind::MissingRequiredArgument, message));
         }
         Ok(())
     }
@@ -238,6 +271,15 @@ impl HeatArgs {
 }
 
 impl ExactArgs {
+    /// Refuses what clap cannot see by itself.
+    pub(crate) fn check(&self) -> Result<(), clap::Error> {
+        if self.partial && self.time_limit.is_none() && self.memory_limit.is_none() {
+            let message = "--partial needs a --time-limit or a --memory-limit";
+            return Err(Cli::command().error(ErrorKind::MissingRequiredArgument, message));
+        }
+        Ok(())
+    }
+
     pub(crate) fn first_given(&self) -> Option<&'static str> {
         let given = [
             ("--radius", self.radius.is_some()),
@@ -249,9 +291,9 @@ impl ExactArgs {
     }
 
     /// The library's options, its defaults where nothing was given.
-    pub(crate) fn options(&self, targets: Vec<u32>) -> ExactOptions {
+    pub(crate) fn options(&self) -> ExactOptions {
         let default = ExactOptions::default();
-        ExactOptions { targets, radius: self.radius.unwrap_or(default.radius), allow_partial: self.partial, ..default }
+        ExactOptions { radius: self.radius.unwrap_or(default.radius), allow_partial: self.partial, ..default }
     }
 
     /// Sets the limits; the time begins now.

@@ -12,7 +12,7 @@ use crate::{Cli, Result, input};
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory};
 use std::path::PathBuf;
-use taut::{Element, Error, Mesh, Reason, Source};
+use taut::{Mesh, Source};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -86,9 +86,9 @@ impl DistanceArgs {
 }
 
 pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
-    let sources = input::sources(&args.field)?;
     let (mesh, read) = input::mesh(&args.field.mesh)?;
-    args.target.map_or(Ok(()), |target| check_target(target, &mesh))?;
+    let sources = input::sources(&args.field.sources, &mesh)?;
+    input::check_targets(args.target.as_slice(), &mesh)?;
     let reference = args.reference.as_deref().map(|path| input::numbers(path, DISTANCE, &mesh)).transpose()?;
 
     // Errors, the JSON object, the mesh and the picture are about every vertex.
@@ -119,15 +119,6 @@ pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
         );
     }
     Ok(())
-}
-
-fn check_target(target: u32, mesh: &Mesh) -> Result<()> {
-    let vertices = mesh.vertex_count();
-    if (target as usize) < vertices {
-        return Ok(());
-    }
-    let message = format!("is vertex {target}, but the mesh has {vertices} vertices");
-    Err(Error::at(Reason::VertexOutOfRange, Element::Target(0), message).to_string())
 }
 
 /// The picture of the distances or, with a reference, of their errors.

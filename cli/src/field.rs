@@ -1,8 +1,8 @@
 //! The distances that the options ask for.
 
-use crate::args::{FieldArgs, Method};
+use crate::args::{ExactArgs, FieldArgs, Method};
 use crate::measured::{Seconds, measured};
-use taut::{ExactSolver, HeatSolver, Mesh, Source};
+use taut::{ExactField, ExactOptions, ExactSolver, HeatSolver, Mesh, Source};
 
 /// What a method found, and what it took.
 pub(crate) struct Field {
@@ -35,17 +35,30 @@ fn heat(args: &FieldArgs, mesh: &Mesh, sources: &[Source]) -> taut::Result<Field
 }
 
 fn exact(args: &FieldArgs, mesh: &Mesh, sources: &[Source], targets: Vec<u32>) -> taut::Result<Field> {
+    let options = ExactOptions { targets, ..args.exact.options() };
+    let (field, [setup, solve]) = exact_field(&args.exact, mesh, sources, &options)?;
+    let (distances, final_radius) = (field.distances().to_vec(), field.final_radius());
+    Ok(Field { distances, final_radius, time_step: None, setup, solve })
+}
+
+/// What the exact method finds within the limits of the command line, and the seconds of set-up and solve; says where a
+/// limit ended it.
+pub(crate) fn exact_field(
+    limits: &ExactArgs,
+    mesh: &Mesh,
+    sources: &[Source],
+    options: &ExactOptions,
+) -> taut::Result<(ExactField, [Seconds; 2])> {
     let (solver, setup) = measured("setup", |_| ExactSolver::new(mesh));
     let solver = solver?;
-    let options = args.exact.options(targets);
     let (field, solve) = measured("solve", |control| {
-        args.exact.limit(control);
-        solver.field(sources, &options, control)
+        limits.limit(control);
+        solver.field(sources, options, control)
     });
     let field = field?;
-    let final_radius = field.final_radius();
     if let Some(reason) = field.interruption() {
-        eprintln!("taut: {reason}: distances up to {final_radius} are final, the others are written as inf");
+        let radius = field.final_radius();
+        eprintln!("taut: {reason}: distances up to {radius} are final, what is farther counts as unreachable");
     }
-    Ok(Field { distances: field.distances().to_vec(), final_radius, time_step: None, setup, solve })
+    Ok((field, [setup, solve]))
 }

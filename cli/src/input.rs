@@ -1,11 +1,11 @@
 //! What the commands read.
 
 use crate::Result;
-use crate::args::FieldArgs;
+use crate::args::SourceArgs;
 use crate::measured::{Seconds, measured};
 use crate::numbers;
 use std::path::Path;
-use taut::{Mesh, Source};
+use taut::{Closest, Element, Error, Mesh, Reason, Source, SurfacePoint};
 
 /// The mesh of a file.
 pub(crate) fn read(path: &Path) -> Result<(Mesh, Seconds)> {
@@ -23,11 +23,36 @@ pub(crate) fn mesh(path: &Path) -> Result<(Mesh, Seconds)> {
     Ok((mesh, seconds))
 }
 
-/// The sources of a command line.
-pub(crate) fn sources(args: &FieldArgs) -> Result<Vec<Source>> {
+/// The sources of a command line: vertices first, then points.
+pub(crate) fn sources(args: &SourceArgs, mesh: &Mesh) -> Result<Vec<Source>> {
     match &args.sources {
         Some(path) => numbers::sources(path),
-        None => Ok(args.source.iter().map(|&vertex| Source::vertex(vertex)).collect()),
+        None => {
+            let vertices = args.source.iter().map(|&vertex| Source::vertex(vertex));
+            let points = nearest(&args.source_at, mesh)?.into_iter().map(Source::point);
+            Ok(vertices.chain(points).collect())
+        }
+    }
+}
+
+/// The places of the surface that are nearest to points in space.
+pub(crate) fn nearest(points: &[[f64; 3]], mesh: &Mesh) -> Result<Vec<SurfacePoint>> {
+    if points.is_empty() {
+        return Ok(Vec::new()); // needs no tree, nor triangles
+    }
+    let places = Closest::new(mesh).and_then(|closest| closest.points(points));
+    Ok(places.map_err(|error| error.to_string())?.iter().map(|place| place.point).collect())
+}
+
+/// Refuses target vertices that the mesh does not have.
+pub(crate) fn check_targets(targets: &[u32], mesh: &Mesh) -> Result<()> {
+    let vertices = mesh.vertex_count();
+    match (0..).zip(targets).find(|&(_, &target)| target as usize >= vertices) {
+        None => Ok(()),
+        Some((i, target)) => {
+            let message = format!("is vertex {target}, but the mesh has {vertices} vertices");
+            Err(Error::at(Reason::VertexOutOfRange, Element::Target(i), message).to_string())
+        }
     }
 }
 

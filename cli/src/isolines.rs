@@ -1,18 +1,17 @@
 //! `taut isolines`: lines of equal distance, or of equal value of any field, into a file.
 
 use crate::args::FieldArgs;
-use crate::drawing;
+use crate::drawing::{Group, LinesOut, Polyline};
 use crate::field::Field;
 use crate::measured::{Seconds, measured};
 use crate::output::{self, Timing};
 use crate::picture::{Picture, PictureArgs, Quantity};
 use crate::{Cli, Result, input};
-use clap::builder::{PathBufValueParser, TypedValueParser as _};
 use clap::error::ErrorKind;
 use clap::{ArgGroup, Args, CommandFactory as _};
 use serde::Serialize;
 use std::path::PathBuf;
-use taut::{Isoline, Mesh};
+use taut::Mesh;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -42,7 +41,7 @@ pub(crate) struct IsolinesArgs {
 
     /// Take the field from this file instead, one number a line for each vertex; inf where there
     /// is none
-    #[arg(verbatim_doc_comment, long, value_name = "FILE", conflicts_with_all = ["source", "sources", "method"])]
+    #[arg(verbatim_doc_comment, long, value_name = "FILE", conflicts_with_all = ["source", "source_at", "sources", "method"])]
     values: Option<PathBuf>,
 
     /// This many levels, evenly spread between the least and the greatest value
@@ -55,13 +54,7 @@ pub(crate) struct IsolinesArgs {
 
     /// Write the lines to this file: .obj, polylines in space, or .svg, a flat drawing without
     /// what the surface hides
-    #[arg(
-        verbatim_doc_comment,
-        short,
-        long,
-        value_name = "FILE",
-        value_parser = PathBufValueParser::new().try_map(LinesOut::new)
-    )]
+    #[arg(verbatim_doc_comment, short, long, value_name = "FILE", value_parser = LinesOut::parser())]
     output: Option<LinesOut>,
 
     /// Print one JSON object on standard output: counts, levels, seconds of work
@@ -72,36 +65,11 @@ pub(crate) struct IsolinesArgs {
     picture: PictureArgs,
 }
 
-/// A file to write, and what its name says that it is.
-#[derive(Debug, Clone)]
-struct LinesOut {
-    path: PathBuf,
-    format: Format,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Format {
-    Obj,
-    Svg,
-}
-
-impl LinesOut {
-    fn new(path: PathBuf) -> std::result::Result<LinesOut, &'static str> {
-        let suffix = path.extension().unwrap_or_default().to_ascii_lowercase();
-        let format = match suffix.to_str() {
-            Some("obj") => Format::Obj,
-            Some("svg") => Format::Svg,
-            _ => return Err("the name must end in .obj or .svg"),
-        };
-        Ok(LinesOut { path, format })
-    }
-}
-
 impl IsolinesArgs {
     /// Refuses what clap cannot see by itself.
     pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
         let conflict = |message: &str| Err(Cli::command().error(ErrorKind::ArgumentConflict, message));
-        let is_drawn = self.output.as_ref().is_some_and(|output| output.format == Format::Svg);
+        let is_drawn = self.output.as_ref().is_some_and(LinesOut::is_drawn);
         if let (false, Some(option)) = (is_drawn, self.picture.useless()) {
             return conflict(&format!("{option} belongs to a drawing or picture, and none is asked for"));
         }
@@ -116,28 +84,11 @@ impl IsolinesArgs {
 }
 
 /// The lines of a field, ready to be drawn.
-pub(crate) struct Lines {
+struct Lines {
     /// Ascending.
-    pub(crate) levels: Vec<f64>,
-    /// In the order of their levels.
-    pub(crate) polylines: Vec<Polyline>,
-}
-
-/// A line in space.
-pub(crate) struct Polyline {
-    /// Which of the levels it belongs to.
-    pub(crate) level: usize,
-    pub(crate) points: Vec<[f64; 3]>,
-    /// Whether the last point is joined to the first.
-    pub(crate) is_closed: bool,
-}
-
-impl Polyline {
-    /// Its points, the first again at the end of a closed one.
-    pub(crate) fn path(&self) -> impl Iterator<Item = [f64; 3]> {
-        let back = self.is_closed.then(|| self.points[0]);
-        self.points.iter().copied().chain(back)
-    }
+    levels: Vec<f64>,
+    /// One for each level that has lines.
+    groups: Vec<Group>,
 }
 
 impl Lines {
@@ -148,24 +99,26 @@ impl Lines {
             (None, Some(spacing)) => taut::spaced_levels(mesh, values, spacing)?,
             (None, None) => Vec::new(), // clap asks for one of them
         };
-        let polyline = |line: &Isoline| {
-            let points = line.curve.positions(mesh)?;
-            Ok(Polyline { level: line.level as usize, points, is_closed: line.curve.is_closed })
+        let lines = taut::isolines(mesh, values, &levels)?;
+        let last = levels.len().saturating_sub(1).max(1) as f32;
+        let group = |lines: &[taut::Isoline]| {
+            let level = lines[0].level;
+            let name = format!("level {}", levels[level as usize]);
+            let lines = lines.iter().map(|line| Polyline::new(&line.curve, mesh)).collect::<taut::Result<_>>()?;
+            Ok(Group { name, shade: level as f32 / last, lines })
         };
-        let polylines = taut::isolines(mesh, values, &levels)?.iter().map(polyline).collect::<taut::Result<_>>()?;
-        Ok(Lines { levels, polylines })
+        let groups = lines.chunk_by(|a, b| a.level == b.level).map(group).collect::<taut::Result<_>>()?;
+        Ok(Lines { levels, groups })
     }
 
-    /// Each level that has lines, and these.
-    pub(crate) fn by_level(&self) -> impl Iterator<Item = (f64, &[Polyline])> {
-        let same_level = |a: &Polyline, b: &Polyline| a.level == b.level;
-        self.polylines.chunk_by(same_level).map(|lines| (self.levels[lines[0].level], lines))
+    fn polylines(&self) -> impl Iterator<Item = &Polyline> {
+        self.groups.iter().flat_map(|group| &group.lines)
     }
 }
 
 pub(crate) fn run(args: &IsolinesArgs) -> Result<()> {
-    let sources = input::sources(&args.field)?;
     let (mesh, read) = input::mesh(&args.field.mesh)?;
+    let sources = input::sources(&args.field.sources, &mesh)?;
     let (quantity, values, [setup, solve]) = match &args.values {
         Some(path) => (Quantity::Value, input::numbers(path, "a value", &mesh)?, <[Seconds; 2]>::default()),
         None => {
@@ -173,41 +126,30 @@ pub(crate) fn run(args: &IsolinesArgs) -> Result<()> {
             (Quantity::Distance, field.distances, [field.setup, field.solve])
         }
     };
-    let (found, seconds) = measured("lines", |_| Lines::new(args, &mesh, &values));
-    let found = found.map_err(|error| error.to_string())?;
-    write(
-        args,
-        &found,
-        &Picture {
-            mesh: &mesh,
-            quantity,
-            values: &values,
-            sources: &input::places(&sources, &mesh)?,
-            levels: Some(&found.levels),
-            lines: &[],
-        },
-    )?;
+    let (lines, seconds) = measured("lines", |_| Lines::new(args, &mesh, &values));
+    let lines = lines.map_err(|error| error.to_string())?;
+    let picture = Picture {
+        mesh: &mesh,
+        quantity,
+        values: &values,
+        sources: &input::places(&sources, &mesh)?,
+        levels: Some(&lines.levels),
+        lines: &[],
+    };
+    let file = args.output.as_ref().map(|out| (&*out.path, out.content(&lines.groups, &picture, &args.picture)));
+    output::write(&file.into_iter().chain(args.picture.draw(&picture)?).collect::<Vec<_>>())?;
     if !args.json {
         return Ok(());
     }
     output::json(&Report {
         vertices: mesh.vertex_count(),
         faces: mesh.triangle_count(),
-        levels: &found.levels,
-        lines: found.polylines.len(),
-        closed_lines: found.polylines.iter().filter(|line| line.is_closed).count(),
-        points: found.polylines.iter().map(|line| line.points.len()).sum(),
+        levels: &lines.levels,
+        lines: lines.polylines().count(),
+        closed_lines: lines.polylines().filter(|line| line.is_closed).count(),
+        points: lines.polylines().map(|line| line.points.len()).sum(),
         timing: LinesTiming { field: Timing { read, setup, solve }, lines: seconds },
     })
-}
-
-fn write(args: &IsolinesArgs, lines: &Lines, picture: &Picture) -> Result<()> {
-    let content = |format| match format {
-        Format::Obj => drawing::obj(lines),
-        Format::Svg => drawing::svg(lines, picture, &args.picture),
-    };
-    let lines = args.output.as_ref().map(|LinesOut { path, format }| (&**path, content(*format).into_bytes()));
-    output::write(&lines.into_iter().chain(args.picture.draw(picture)?).collect::<Vec<_>>())
 }
 
 /// The object of `--json`, key by key.

@@ -3,6 +3,7 @@
 //! Exit code 0 is success, 1 a failure (said on standard error), 2 a command line that makes no sense.
 
 mod args;
+mod cells;
 mod compare;
 mod comparison;
 mod distance;
@@ -15,7 +16,9 @@ mod measured;
 mod mesh_out;
 mod numbers;
 mod output;
+mod path;
 mod picture;
+mod voronoi;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -37,6 +40,8 @@ enum Command {
     Distance(distance::DistanceArgs),
     Info(info::InfoArgs),
     Isolines(isolines::IsolinesArgs),
+    Path(path::PathArgs),
+    Voronoi(voronoi::VoronoiArgs),
 }
 
 impl Command {
@@ -47,6 +52,8 @@ impl Command {
             Command::Distance(args) => args.check(),
             Command::Info(_) => Ok(()),
             Command::Isolines(args) => args.check(),
+            Command::Path(args) => args.check(),
+            Command::Voronoi(args) => args.check(),
         }
     }
 
@@ -56,6 +63,8 @@ impl Command {
             Command::Distance(args) => distance::run(args),
             Command::Info(args) => info::run(args),
             Command::Isolines(args) => isolines::run(args),
+            Command::Path(args) => path::run(args),
+            Command::Voronoi(args) => voronoi::run(args),
         }
     }
 }

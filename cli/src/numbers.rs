@@ -1,17 +1,33 @@
-//! Files of numbers, one entry a line: sources and reference distances. `#` begins a comment, blank lines mean nothing.
+//! Numbers as people write them: three with commas on the command line, and files with one entry a line, sources or
+//! distances, where `#` begins a comment and blank lines mean nothing.
 
 use crate::Result;
 use std::path::Path;
 use std::str::FromStr;
-use taut::Source;
+use taut::{Source, SurfacePoint};
 
-/// The sources of a file: `vertex [offset]` a line.
+/// The sources of a file: `vertex [offset]` or `triangle weight weight weight [offset]` a line.
 pub(crate) fn sources(path: &Path) -> Result<Vec<Source>> {
-    entries(path, "a vertex and, if wanted, its start distance", |words| match words {
-        [vertex] => Some(Source::vertex(number(vertex)?)),
-        [vertex, offset] => Some(Source::vertex(number(vertex)?).with_offset(number(offset)?)),
-        _ => None,
+    entries(path, "a vertex, or a triangle and three weights, and, if wanted, a start distance", |words| {
+        let (source, offset) = match words {
+            [vertex, offset @ ..] if words.len() <= 2 => (Source::vertex(number(vertex)?), offset),
+            [face, a, b, c, offset @ ..] if words.len() <= 5 => {
+                let barycentric = [number(a)?, number(b)?, number(c)?];
+                (Source::point(SurfacePoint { face: number(face)?, barycentric }), offset)
+            }
+            _ => return None,
+        };
+        Some(match offset {
+            [offset] => source.with_offset(number(offset)?),
+            _ => source,
+        })
     })
+}
+
+/// The numbers of "x,y,z".
+pub(crate) fn triple(text: &str) -> Option<[f64; 3]> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|word| number(word.trim())).collect();
+    numbers?.try_into().ok()
 }
 
 /// What the numbers are that this command writes.

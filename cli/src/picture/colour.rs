@@ -61,6 +61,13 @@ impl ColourMap {
         ColourMap((0..=ColourMap::STEPS).map(colour).collect())
     }
 
+    /// These colours, 0xRRGGBB, alone: the first at 0 and the last at 1, each around its place.
+    pub(super) fn steps(colours: &[u32]) -> ColourMap {
+        let last = colours.len() - 1;
+        let nearest = |i: usize| (i * last + ColourMap::STEPS / 2) / ColourMap::STEPS;
+        ColourMap((0..=ColourMap::STEPS).map(|i| srgb(colours[nearest(i)])).collect())
+    }
+
     /// The linear colour of `t`; below 0 and above 1 that of the end.
     pub(crate) fn at(&self, t: f32) -> Vec3 {
         self.0[(t.clamp(0.0, 1.0) * ColourMap::STEPS as f32 + 0.5) as usize] // at most STEPS

@@ -69,7 +69,14 @@ pub(crate) enum Quantity {
     Value,
     /// In percent.
     Error,
+    /// Which of the [`CELL_COLOURS`] a cell has.
+    Cell,
 }
+
+/// How many colours cells have.
+pub(crate) const CELL_COLOURS: usize = CELLS.len();
+const CELLS: [u32; 8] =
+    [0x8f_b8_de, 0xf4_b1_83, 0xa8_d0_8d, 0xe7_9a_a8, 0xc3_a6_dc, 0xf2_d4_79, 0x7f_ca_c3, 0xc9_b2_9b];
 
 /// What is drawn.
 pub(crate) struct Picture<'a> {
@@ -79,7 +86,7 @@ pub(crate) struct Picture<'a> {
     pub(crate) values: &'a [f64],
     /// Marked by a small ball, where they are on the surface.
     pub(crate) sources: &'a [[f64; 3]],
-    /// The values of isolines; `None` for round ones where the values are distances, and none where they are errors.
+    /// The values of isolines; `None` for round ones where the values are distances, and none where they are errors or cells.
     pub(crate) levels: Option<&'a [f64]>,
     /// Lines on the surface, in mesh units.
     pub(crate) lines: &'a [Vec<[f64; 3]>],
@@ -116,7 +123,7 @@ impl Sight {
     /// None where there is no surface.
     pub(crate) fn new(picture: &Picture, args: &PictureArgs) -> Option<Sight> {
         let size = args.size();
-        let range = Range::new(picture.values, false);
+        let range = picture.quantity.range(picture.values);
         let values: Vec<f32> = picture.values.iter().map(|&value| range.place(value)).collect();
         let body = Body::new(picture.mesh, &[])?;
         let (camera, _) = picture.camera(&body, &values, args.view, size, 0.0);
@@ -135,12 +142,27 @@ impl Sight {
 
 impl Quantity {
     pub(crate) fn map(self) -> ColourMap {
-        ColourMap::through(match self {
+        match self {
             Quantity::Distance | Quantity::Value => {
-                &[0xff_f1_d6, 0xff_c8_8a, 0xf8_8a_68, 0xd3_55_80, 0x8a_3f_9b, 0x3b_32_80]
+                ColourMap::through(&[0xff_f1_d6, 0xff_c8_8a, 0xf8_8a_68, 0xd3_55_80, 0x8a_3f_9b, 0x3b_32_80])
             }
-            Quantity::Error => &[0xf4_f4_f0, 0xf7_d8_a8, 0xf0_9a_5e, 0xd6_4a_3f, 0x8e_17_36, 0x4a_0c_2c],
-        })
+            Quantity::Error => {
+                ColourMap::through(&[0xf4_f4_f0, 0xf7_d8_a8, 0xf0_9a_5e, 0xd6_4a_3f, 0x8e_17_36, 0x4a_0c_2c])
+            }
+            Quantity::Cell => ColourMap::steps(&CELLS),
+        }
+    }
+
+    /// Where the map begins and ends.
+    fn range(self, values: &[f64]) -> Range {
+        match self {
+            Quantity::Distance | Quantity::Value => Range::new(values, false),
+            Quantity::Error => Range::new(values, true),
+            Quantity::Cell => {
+                let last = CELL_COLOURS as f64 - 1.0;
+                Range { low: 0.0, high: last, most: last }
+            }
+        }
     }
 
     fn words(self) -> [&'static str; 2] {
@@ -148,6 +170,7 @@ impl Quantity {
             Quantity::Distance => ["Distance", "mesh units"],
             Quantity::Value => ["Value", ""],
             Quantity::Error => ["Error", "%"],
+            Quantity::Cell => ["Nearest", "source"],
         }
     }
 }
@@ -155,7 +178,7 @@ impl Quantity {
 impl Picture<'_> {
     fn draw(&self, view: Option<View>, [width, height]: [u32; 2]) -> Canvas {
         let em = 0.022 * width.min(height) as f32;
-        let range = Range::new(self.values, self.quantity == Quantity::Error);
+        let range = self.quantity.range(self.values);
         let map = self.quantity.map();
         let mut canvas = Canvas::new(width, height, srgb(shade::BACKGROUND));
         if let Some(body) = Body::new(self.mesh, self.sources) {
@@ -164,7 +187,8 @@ impl Picture<'_> {
         let [title, unit] = self.quantity.words();
         let mut drawn = self.mesh.triangles().iter().flatten();
         let neutral = drawn.any(|&v| !self.values[v as usize].is_finite()).then_some("unreachable");
-        Legend { title, unit, range, map: &map, neutral }.draw(&mut canvas, em);
+        let scale = (self.quantity != Quantity::Cell).then_some((range, &map));
+        Legend { title, unit, scale, neutral }.draw(&mut canvas, em);
         canvas
     }
 
@@ -192,7 +216,7 @@ impl Picture<'_> {
         if !self.lines.is_empty() {
             let place = |line: &Vec<[f64; 3]>| line.iter().map(|&point| body.place(point)).collect();
             let lines: Vec<Vec<Vec3>> = self.lines.iter().map(place).collect();
-            Front::new(&pieces, &camera, size).draw(canvas, &camera, &lines, side / 400.0);
+            Front::new(&pieces, &camera, size).draw(canvas, &camera, &lines, side / 300.0);
         }
     }
 
@@ -200,8 +224,9 @@ impl Picture<'_> {
     fn camera(&self, body: &Body, values: &[f32], view: Option<View>, size: [u32; 2], legend: f32) -> (Camera, Axes) {
         let [width, height] = size.map(|side| side as f32);
         let axes = Axes::guess(body);
-        let sources: Vec<Vec3> = self.sources.iter().map(|&source| body.place(source)).collect();
-        let [from, up] = view.map_or_else(|| axes.best(body, values, &sources), |view| axes.named(view));
+        let marked = self.sources.iter().chain(self.lines.iter().flatten());
+        let marked: Vec<Vec3> = marked.map(|&point| body.place(point)).collect();
+        let [from, up] = view.map_or_else(|| axes.best(body, values, &marked), |view| axes.named(view));
         let margin = 0.06 * width.min(height);
         let [free, down] = [width - 2.0 * margin - legend, height - 2.0 * margin];
         let frame = Frame { left: margin, top: margin, width: free, height: down };
@@ -213,7 +238,7 @@ impl Picture<'_> {
         let levels = match (self.levels, self.quantity) {
             (Some(levels), _) => levels.to_vec(),
             (None, Quantity::Distance | Quantity::Value) => range.ticks(30.0),
-            (None, Quantity::Error) => Vec::new(),
+            (None, Quantity::Error | Quantity::Cell) => Vec::new(),
         };
         let mut levels: Vec<f32> = levels.into_iter().map(|level| range.place(level)).collect();
         levels.sort_by(f32::total_cmp);
@@ -248,6 +273,25 @@ mod tests {
         assert!((2 * half - 4..5 * half).contains(&drawn(0.0)), "{} {width}", drawn(0.0));
         assert!((2 * half - 4..6 * half).contains(&drawn(0.5)), "{} {width}", drawn(0.5));
         assert_eq!(drawn(-0.5), 0);
+    }
+
+    #[test]
+    fn the_viewer_goes_where_lines_are_seen() {
+        let mesh = shapes::icosphere(3).mesh().unwrap();
+        let values = vec![f64::INFINITY; mesh.vertex_count()];
+        for side in [[0.0, 1.0], [1.0, 0.0], [0.0, -1.0], [-1.0, 0.0]] {
+            // Half way round the equator, above its triangles.
+            let at = |angle: f64| {
+                let (sin, cos) = angle.sin_cos();
+                [side[0] * cos - side[1] * sin, 0.0, side[1] * cos + side[0] * sin]
+            };
+            let line = vec![(-15..=15).map(|i| at(0.1 * f64::from(i))).collect()];
+            let (mesh, quantity) = (&mesh, Quantity::Distance);
+            let picture = Picture { mesh, quantity, values: &values, sources: &[], levels: None, lines: &line };
+            let lined = picture.draw(None, [400, 400]);
+            let dark = lined.pixels[..].chunks(400).flat_map(|row| &row[..280]).filter(|p| p.x < 0.03).count();
+            assert!(dark > 80, "{side:?}: {dark}");
+        }
     }
 
     #[test]

@@ -2,11 +2,12 @@
 //!
 //! Which way is up is a guess: across a flat surface; else away from a flat base, if there is one; else the y axis. Then
 //! directions all around, a little above the horizon (well above it for flat things), are tried at low resolution; the
-//! best shows much of the surface, much of the range of values, and the sources.
+//! best shows much of the surface, much of the range of values, and of the marked points, sources and lines.
 
 use super::body::Body;
 use super::camera::{Camera, Frame};
 use super::raster::{self, CENTRE, Window};
+use crate::numbers;
 use glam::{DVec3, Vec3};
 use std::str::FromStr;
 
@@ -42,9 +43,7 @@ const NO_VIEW: &str = "neither front, back, left, right, top or bottom nor a dir
 
 /// The unit vector of "x,y,z".
 fn direction(text: &str) -> Option<Vec3> {
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse()).collect();
-    let [x, y, z] = numbers.ok()?[..] else { return None };
-    let from = DVec3::new(x, y, z);
+    let from = DVec3::from(numbers::triple(text)?);
     let most = from.abs().max_element();
     (from.is_finite() && most > 0.0).then(|| (from / most).normalize().as_vec3())
 }
@@ -85,7 +84,7 @@ impl Axes {
     }
 
     /// The best direction and what is up there. `values` are in [0, 1] or NaN.
-    pub(super) fn best(&self, body: &Body, values: &[f32], sources: &[Vec3]) -> [Vec3; 2] {
+    pub(super) fn best(&self, body: &Body, values: &[f32], marked: &[Vec3]) -> [Vec3; 2] {
         if self.is_plane {
             return self.named(View::Top);
         }
@@ -98,7 +97,7 @@ impl Axes {
             let level = azimuth.cos() * self.front + azimuth.sin() * self.right;
             let from = elevation.cos() * level + elevation.sin() * self.up;
             // Of equals the one nearer to the front.
-            let score = Trial::new(body, from, self.up).score(values, sources) + 0.06 * azimuth.cos();
+            let score = Trial::new(body, from, self.up).score(values, marked) + 0.06 * azimuth.cos();
             if score > best.0 {
                 best = (score, from);
             }
@@ -134,8 +133,8 @@ impl Trial<'_> {
         Trial { body, camera, from, front }
     }
 
-    fn score(&self, values: &[f32], sources: &[Vec3]) -> f32 {
-        let seen = sources.iter().map(|&source| self.seen(source)).sum::<f32>() / sources.len().max(1) as f32;
+    fn score(&self, values: &[f32], marked: &[Vec3]) -> f32 {
+        let seen = marked.iter().map(|&point| self.seen(point)).sum::<f32>() / marked.len().max(1) as f32;
         0.2 * self.area() + self.range(values) + seen
     }
 
@@ -157,9 +156,9 @@ impl Trial<'_> {
         bins.iter().filter(|&&count| count > 2).count() as f32 / BINS as f32
     }
 
-    /// Whether nothing is in front of a source; most where the surface around it faces the viewer.
-    fn seen(&self, source: Vec3) -> f32 {
-        let spot = self.camera.project(source);
+    /// Whether nothing is in front of a point; most where the surface around it faces the viewer.
+    fn seen(&self, point: Vec3) -> f32 {
+        let spot = self.camera.project(point);
         let [x, y] = [spot.x, spot.y].map(|at| (at as u32).min(TRIAL - 1)); // the cast saturates
         match self.front[(y * TRIAL + x) as usize] {
             (_, NOTHING) => 0.3,

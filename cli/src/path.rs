@@ -1,0 +1,238 @@
+//! `taut path`: shortest paths over the surface, from targets back to their nearest sources.
+
+use crate::args::{ExactArgs, SourceArgs, position};
+use crate::drawing::{Group, LinesOut, Polyline};
+use crate::field::exact_field;
+use crate::measured::{Seconds, measured};
+use crate::output::{self, Timing};
+use crate::picture::{Picture, PictureArgs, Quantity};
+use crate::{Cli, Result, input};
+use clap::error::ErrorKind;
+use clap::{ArgGroup, Args, CommandFactory as _};
+use serde::Serialize;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use taut::{Curve, ExactField, ExactOptions, Mesh, SurfacePoint};
+
+const EXAMPLES: &str = "\
+Examples:
+  taut path bunny.obj --source 0 --target 4711
+      the points of the shortest path from vertex 4711 to vertex 0, on standard output
+  taut path bunny.obj --source-at 0,1,0 --target-at 1,0,0.5 -o path.obj
+      the path between the places of the surface nearest to two points, as a polyline in space
+  taut path bunny.obj --source 0 --source 99 --target 4711 --target 15 --picture paths.png
+      the path from each of two targets to the source that is nearer, as a picture
+
+Exit code: 0 success, 1 failure, 2 a command line that makes no sense.";
+
+/// Shortest paths on a mesh, from each target back to its nearest source
+///
+/// Paths are exact: as long as the exact distance. For each target, vertices before points, a
+/// comment tells the path's source and length; then its points follow, from the target to the
+/// source, one `x y z` a line. An empty line separates targets. One that no source reaches has a
+/// comment only. Vertices, sources and targets count from 0, sources vertices before points.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES, verbatim_doc_comment)]
+#[command(group = ArgGroup::new("targets").required(true).multiple(true).args(["target", "target_at"]))]
+pub(crate) struct PathArgs {
+    /// Mesh file: .glb, .obj, .off, .ply or .stl, also with .gz behind it
+    mesh: PathBuf,
+
+    #[command(flatten)]
+    sources: SourceArgs,
+
+    /// Target vertex; may be given several times
+    #[arg(long, value_name = "V")]
+    target: Vec<u32>,
+
+    /// Target on the surface where it is nearest to this point; may be given several times
+    #[arg(long, value_name = "X,Y,Z", value_parser = position, allow_hyphen_values = true)]
+    target_at: Vec<[f64; 3]>,
+
+    /// Write the paths to this file instead of standard output: .obj, polylines in space, or .svg,
+    /// a flat drawing without what the surface hides
+    #[arg(verbatim_doc_comment, short, long, value_name = "FILE", value_parser = LinesOut::parser())]
+    output: Option<LinesOut>,
+
+    /// Print one JSON object on standard output: for each target its source, distance, length and
+    /// points, each by its triangle, the weights of the corners, and its position
+    #[arg(verbatim_doc_comment, long)]
+    json: bool,
+
+    #[command(flatten)]
+    exact: ExactArgs,
+
+    #[command(flatten)]
+    picture: PictureArgs,
+}
+
+impl PathArgs {
+    /// Refuses what clap cannot see by itself.
+    pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
+        let is_drawn = self.output.as_ref().is_some_and(LinesOut::is_drawn);
+        if let (false, Some(option)) = (is_drawn, self.picture.useless()) {
+            let message = format!("{option} belongs to a drawing or picture, and none is asked for");
+            return Err(Cli::command().error(ErrorKind::ArgumentConflict, message));
+        }
+        self.sources.check()?;
+        self.exact.check()
+    }
+}
+
+/// A path from a target.
+struct Path {
+    /// The number of its source.
+    source: u32,
+    /// Its length and the start distance of its source.
+    distance: f64,
+    curve: Curve,
+    /// Where its points lie.
+    positions: Vec<[f64; 3]>,
+}
+
+impl Path {
+    fn length(&self) -> f64 {
+        let step = |ends: &[[f64; 3]]| {
+            let [x, y, z] = [0, 1, 2].map(|axis| ends[1][axis] - ends[0][axis]);
+            x.hypot(y).hypot(z)
+        };
+        0.0 + self.positions.windows(2).map(step).sum::<f64>() // the sum of nothing is -0
+    }
+}
+
+pub(crate) fn run(args: &PathArgs) -> Result<()> {
+    let (mesh, read) = input::mesh(&args.mesh)?;
+    let sources = input::sources(&args.sources, &mesh)?;
+    input::check_targets(&args.target, &mesh)?;
+    let points = input::nearest(&args.target_at, &mesh)?;
+
+    let targets = match points.is_empty() && args.picture.picture.is_none() {
+        true => args.target.clone(),
+        false => Vec::new(), // what is final at the corners of a triangle need not be so inside
+    };
+    let options = ExactOptions { targets, keep_windows: !points.is_empty(), ..args.exact.options() };
+    let field = exact_field(&args.exact, &mesh, &sources, &options).map_err(|error| error.to_string());
+    let (field, [setup, solve]) = field?;
+    let (paths, seconds) = measured("paths", |_| paths(&field, &mesh, &args.target, &points));
+    let paths = paths.map_err(|error| error.to_string())?;
+
+    write(args, &mesh, &field, &paths, input::places(&sources, &mesh)?)?;
+    if args.json {
+        let timing = PathTiming { field: Timing { read, setup, solve }, paths: seconds };
+        return output::json(&Report::new(&mesh, &paths, timing));
+    }
+    if args.output.is_none() { output::print(&text(&paths)) } else { Ok(()) }
+}
+
+/// The path of each target; `None` where no source reaches.
+fn paths(
+    field: &ExactField,
+    mesh: &Mesh,
+    vertices: &[u32],
+    points: &[SurfacePoint],
+) -> taut::Result<Vec<Option<Path>>> {
+    let nearest: Vec<Option<u32>> = field.nearest_sources().collect();
+    let path = |source: Option<u32>, distance: f64, curve: Option<Curve>| {
+        let Some((source, curve)) = source.zip(curve) else { return Ok(None) };
+        let positions = curve.positions(mesh)?;
+        Ok(Some(Path { source, distance, curve, positions }))
+    };
+    let of_vertex = |&v: &u32| path(nearest[v as usize], field.distances()[v as usize], field.path_from_vertex(v)?);
+    let of_point =
+        |point: &SurfacePoint| path(field.nearest_source(point)?, field.distance(point)?, field.path(point)?);
+    vertices.iter().map(of_vertex).chain(points.iter().map(of_point)).collect()
+}
+
+/// Writes the files that are asked for.
+fn write(
+    args: &PathArgs,
+    mesh: &Mesh,
+    field: &ExactField,
+    paths: &[Option<Path>],
+    mut ends: Vec<[f64; 3]>,
+) -> Result<()> {
+    let lines: Vec<Vec<[f64; 3]>> = paths.iter().flatten().map(|path| path.positions.clone()).collect();
+    ends.extend(lines.iter().map(|line| line[0]));
+    let picture = Picture {
+        mesh,
+        quantity: Quantity::Distance,
+        values: field.distances(),
+        sources: &ends,
+        levels: None,
+        lines: &lines,
+    };
+    let group = |(target, path): (usize, &Option<Path>)| {
+        let points = path.as_ref()?.positions.clone();
+        Some(Group { name: format!("target {target}"), shade: 1.0, lines: vec![Polyline { points, is_closed: false }] })
+    };
+    let groups: Vec<Group> = paths.iter().enumerate().filter_map(group).collect();
+    let file = args.output.as_ref().map(|out| (&*out.path, out.content(&groups, &picture, &args.picture)));
+    output::write(&file.into_iter().chain(args.picture.draw(&picture)?).collect::<Vec<_>>())
+}
+
+fn text(paths: &[Option<Path>]) -> String {
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    for (target, path) in paths.iter().enumerate() {
+        let gap = if target > 0 { "\n" } else { "" };
+        let Some(path) = path else {
+            let _ = writeln!(text, "{gap}# target {target}: no path");
+            continue;
+        };
+        let _ = writeln!(text, "{gap}# target {target}: source {}, length {}", path.source, path.length());
+        for [x, y, z] in &path.positions {
+            let _ = writeln!(text, "{x} {y} {z}");
+        }
+    }
+    text
+}
+
+/// The object of `--json`, key by key.
+#[derive(Debug, Serialize)]
+struct Report {
+    vertices: usize,
+    faces: usize,
+    /// One for each target; null where no source reaches.
+    paths: Vec<Option<PathReport>>,
+    timing: PathTiming,
+}
+
+#[derive(Debug, Serialize)]
+struct PathReport {
+    source: u32,
+    distance: f64,
+    length: f64,
+    points: Vec<PointReport>,
+}
+
+#[derive(Debug, Serialize)]
+struct PointReport {
+    face: u32,
+    barycentric: [f64; 3],
+    position: [f64; 3],
+}
+
+#[derive(Debug, Serialize)]
+struct PathTiming {
+    #[serde(flatten)]
+    field: Timing,
+    paths: Seconds,
+}
+
+impl Report {
+    fn new(mesh: &Mesh, paths: &[Option<Path>], timing: PathTiming) -> Report {
+        let point = |(point, &position): (&SurfacePoint, &[f64; 3])| PointReport {
+            face: point.face,
+            barycentric: point.barycentric,
+            position,
+        };
+        let path = |path: &Path| PathReport {
+            source: path.source,
+            distance: path.distance,
+            length: path.length(),
+            points: path.curve.points.iter().zip(&path.positions).map(point).collect(),
+        };
+        let paths = paths.iter().map(|found| found.as_ref().map(path)).collect();
+        Report { vertices: mesh.vertex_count(), faces: mesh.triangle_count(), paths, timing }
+    }
+}

@@ -1,0 +1,155 @@
+//! `taut voronoi`: the nearest source of each vertex, and the cells of the surface that belong to each.
+
+use crate::args::{ExactArgs, SourceArgs};
+use crate::cells::Cells;
+use crate::field::exact_field;
+use crate::measured::{Seconds, measured};
+use crate::output::{self, Output, Timing};
+use crate::picture::{CELL_COLOURS, Picture, PictureArgs, Quantity};
+use crate::{Cli, Result, input};
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory as _};
+use serde::Serialize;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use taut::{ExactOptions, Mesh, Source};
+
+const EXAMPLES: &str = "\
+Examples:
+  taut voronoi bunny.obj --source 0 --source 99 --source 4711
+      for each vertex 0, 1 or 2, whichever of the three is nearest, on standard output
+  taut voronoi bunny.obj --sources seeds.txt -o nearest.txt --picture cells.png
+      the same for a file of sources, and the cells in colours
+  taut voronoi bunny.obj --sources seeds.txt --json
+      how many vertices and how much area each cell has
+
+Exit code: 0 success, 1 failure, 2 a command line that makes no sense.";
+
+/// The nearest source of each vertex of a mesh: a Voronoi diagram on the surface
+///
+/// Distances are exact. Writes one number a line, in the order of the vertices: that of the source,
+/// from 0, those of --source before those of --source-at, or by the lines of the file; -1 where no
+/// source reaches. A start distance counts as part of the way.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES, verbatim_doc_comment)]
+pub(crate) struct VoronoiArgs {
+    /// Mesh file: .glb, .obj, .off, .ply or .stl, also with .gz behind it
+    mesh: PathBuf,
+
+    #[command(flatten)]
+    sources: SourceArgs,
+
+    /// Write the numbers to this file instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+
+    /// Print one JSON object on standard output: for each source the vertices and the area of its
+    /// cell; numbers are then written to --output only
+    #[arg(verbatim_doc_comment, long)]
+    json: bool,
+
+    #[command(flatten)]
+    exact: ExactArgs,
+
+    #[command(flatten)]
+    picture: PictureArgs,
+}
+
+impl VoronoiArgs {
+    /// Refuses what clap cannot see by itself.
+    pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
+        if let Some(option) = self.picture.useless() {
+            let message = format!("{option} belongs to a picture and means nothing without --picture");
+            return Err(Cli::command().error(ErrorKind::ArgumentConflict, message));
+        }
+        self.sources.check()?;
+        self.exact.check()
+    }
+}
+
+pub(crate) fn run(args: &VoronoiArgs) -> Result<()> {
+    let (mesh, read) = input::mesh(&args.mesh)?;
+    let sources = input::sources(&args.sources, &mesh)?;
+    // Vertices alone need no cells.
+    let keep_windows = args.json || args.picture.picture.is_some();
+    let options = ExactOptions { keep_windows, ..args.exact.options() };
+    let field = exact_field(&args.exact, &mesh, &sources, &options).map_err(|error| error.to_string());
+    let (field, [setup, solve]) = field?;
+    let nearest: Vec<Option<u32>> = field.nearest_sources().collect();
+    let (cells, seconds) = measured("cells", |_| keep_windows.then(|| Cells::new(&mesh, &field)).transpose());
+    let cells = cells.map_err(|error| error.to_string())?;
+
+    let picture = cells.as_ref().map(|cells| draw(args, cells, &mesh, &sources)).transpose()?.flatten();
+    let (file, printed) = match args.output.as_deref() {
+        Some(path) => (Some((path, lines(&nearest).into_bytes())), None),
+        None => (None, (!args.json).then(|| lines(&nearest))),
+    };
+    output::write(&file.into_iter().chain(picture).collect::<Vec<_>>())?;
+    printed.map_or(Ok(()), |text| output::print(&text))?;
+    let Some(cells) = cells.filter(|_| args.json) else { return Ok(()) };
+    let timing = CellTiming { field: Timing { read, setup, solve }, cells: seconds };
+    output::json(&Report::new(&mesh, &nearest, cells.areas(sources.len()), timing))
+}
+
+/// One number a line, -1 for none.
+fn lines(nearest: &[Option<u32>]) -> String {
+    let mut text = String::new();
+    for source in nearest {
+        // Writing to a string cannot fail.
+        let _ = match source {
+            Some(source) => writeln!(text, "{source}"),
+            None => writeln!(text, "-1"),
+        };
+    }
+    text
+}
+
+fn draw<'a>(args: &'a VoronoiArgs, cells: &Cells, mesh: &Mesh, sources: &[Source]) -> Result<Option<Output<'a>>> {
+    let cut = cells.mesh().map_err(|error| error.to_string())?;
+    let colours = cells.colours(sources.len(), CELL_COLOURS);
+    let colour = |source: &Option<u32>| source.map_or(f64::NAN, |source| colours[source as usize] as f64);
+    args.picture.draw(&Picture {
+        mesh: &cut,
+        quantity: Quantity::Cell,
+        values: &cells.nearest.iter().map(colour).collect::<Vec<_>>(),
+        sources: &input::places(sources, mesh)?,
+        levels: None,
+        lines: &[],
+    })
+}
+
+/// The object of `--json`, key by key.
+#[derive(Debug, Serialize)]
+struct Report {
+    vertices: usize,
+    faces: usize,
+    unreachable: usize,
+    /// One for each source.
+    cells: Vec<Cell>,
+    timing: CellTiming,
+}
+
+#[derive(Debug, Serialize)]
+struct Cell {
+    vertices: usize,
+    /// In mesh units squared.
+    area: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct CellTiming {
+    #[serde(flatten)]
+    field: Timing,
+    cells: Seconds,
+}
+
+impl Report {
+    fn new(mesh: &Mesh, nearest: &[Option<u32>], areas: Vec<f64>, timing: CellTiming) -> Report {
+        let mut cells: Vec<Cell> = areas.into_iter().map(|area| Cell { vertices: 0, area }).collect();
+        for &source in nearest.iter().flatten() {
+            cells[source as usize].vertices += 1;
+        }
+        let unreachable = nearest.iter().filter(|source| source.is_none()).count();
+        Report { vertices: mesh.vertex_count(), faces: mesh.triangle_count(), unreachable, cells, timing }
+    }
+}
