@@ -18,6 +18,7 @@ mod numbers;
 mod output;
 mod path;
 mod picture;
+mod sample;
 mod voronoi;
 
 use clap::{Parser, Subcommand};
@@ -41,6 +42,7 @@ enum Command {
     Info(info::InfoArgs),
     Isolines(isolines::IsolinesArgs),
     Path(path::PathArgs),
+    Sample(sample::SampleArgs),
     Voronoi(voronoi::VoronoiArgs),
 }
 
@@ -53,6 +55,7 @@ impl Command {
             Command::Info(_) => Ok(()),
             Command::Isolines(args) => args.check(),
             Command::Path(args) => args.check(),
+            Command::Sample(args) => args.check(),
             Command::Voronoi(args) => args.check(),
         }
     }
@@ -64,6 +67,7 @@ impl Command {
             Command::Info(args) => info::run(args),
             Command::Isolines(args) => isolines::run(args),
             Command::Path(args) => path::run(args),
+            Command::Sample(args) => sample::run(args),
             Command::Voronoi(args) => voronoi::run(args),
         }
     }
