@@ -4,8 +4,9 @@
 //! apex is labelled with the shortest path over them. A heap hands out labelled vertices, nearest first: a vertex that
 //! is handed out is *settled*, the lists that wait for it as their apex cross their triangles as a whole, and a
 //! pseudo-source among the vertices throws new windows, over those of its triangles that hold a direction into which the
-//! path that came can bend (all of them at a source). Windows that arrive where the apex is settled cross at once. Order decides speed, never exactness: a label can still fall after its vertex was settled, and
-//! then the vertex is handed out again.
+//! path that came can bend (all of them at a source). Windows that arrive where the apex is settled cross at once. Order
+//! decides speed, never exactness: a label can still fall after its vertex was settled, and then the vertex is handed out
+//! again.
 //!
 //! Before a list crosses (A, B the ends of its edge, C the apex)
 //! - a window is dropped if a path over A or over B is shorter at each of its points (Xin, Wang 2009);
@@ -350,7 +351,9 @@ impl<'a> Front<'a> {
             for &h in self.solver.mesh.topology().corners.row(v) {
                 let id = std::mem::replace(&mut self.waiting[next(h) as usize], NONE);
                 if let Some(list) = self.lists.get_mut(id as usize) {
-                    *list = List::default();
+                    let mut windows = std::mem::take(&mut list.windows);
+                    windows.clear();
+                    *list = List { windows, ..List::default() };
                     self.free.push(id);
                 }
             }

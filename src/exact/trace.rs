@@ -124,16 +124,16 @@ impl Trace<'_> {
     /// segment behind it, the last that of the segment before it. None where no path as long as the distance is found.
     pub(crate) fn path(&self, place: Place) -> Option<Vec<SurfacePoint>> {
         let points = self.found_back(place)?;
-        let expected = self.distance(place) - self.start_distance(place);
-        let is_right = (self.length(&points) - expected).abs() <= LENGTH_OFF * (self.distance(place) + LEAST);
+        let distance = self.distance(place);
+        let expected = distance - self.start_distance(place);
+        let is_right = (self.length(&points) - expected).abs() <= LENGTH_OFF * (distance + LEAST);
         is_right.then_some(points)
     }
 
     /// The start distance of the nearest source.
     fn start_distance(&self, place: Place) -> f64 {
-        let source = self.nearest_source(place);
-        // The first emission of a source is its own.
-        let own = self.found.emissions.iter().find(|emission| Some(emission.source) == source);
+        // The first throw of each source is its own, in their order.
+        let own = self.nearest_source(place).and_then(|source| self.found.emissions.get(source as usize));
         own.map_or(0.0, |emission| emission.sigma)
     }
 
