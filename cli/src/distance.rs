@@ -8,9 +8,8 @@ use crate::mesh_out::MeshOut;
 use crate::numbers::DISTANCE;
 use crate::output::{self, Output, Report, Timing};
 use crate::picture::{Picture, PictureArgs, Quantity};
-use crate::{Cli, Result, input};
-use clap::error::ErrorKind;
-use clap::{Args, CommandFactory};
+use crate::{Result, input};
+use clap::Args;
 use std::path::PathBuf;
 use taut::{Mesh, Source};
 
@@ -75,13 +74,8 @@ pub(crate) struct DistanceArgs {
 impl DistanceArgs {
     /// Refuses what clap cannot see by itself.
     pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
-        match self.picture.useless() {
-            Some(option) => {
-                let message = format!("{option} belongs to a picture and means nothing without --picture");
-                Err(Cli::command().error(ErrorKind::ArgumentConflict, message))
-            }
-            None => self.field.check(),
-        }
+        self.picture.check()?;
+        self.field.check()
     }
 }
 

@@ -70,9 +70,7 @@ impl IsolinesArgs {
     pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
         let conflict = |message: &str| Err(Cli::command().error(ErrorKind::ArgumentConflict, message));
         let is_drawn = self.output.as_ref().is_some_and(LinesOut::is_drawn);
-        if let (false, Some(option)) = (is_drawn, self.picture.useless()) {
-            return conflict(&format!("{option} belongs to a drawing or picture, and none is asked for"));
-        }
+        self.picture.check_beside(is_drawn)?;
         match (&self.values, self.field.heat.first_given().or(self.field.exact.first_given())) {
             (None, _) => self.field.check(),
             (Some(_), Some(option)) => {

@@ -6,9 +6,8 @@ use crate::field::exact_field;
 use crate::measured::{Seconds, measured};
 use crate::output::{self, Timing};
 use crate::picture::{Picture, PictureArgs, Quantity};
-use crate::{Cli, Result, input};
-use clap::error::ErrorKind;
-use clap::{ArgGroup, Args, CommandFactory as _};
+use crate::{Result, input};
+use clap::{ArgGroup, Args};
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -70,10 +69,7 @@ impl PathArgs {
     /// Refuses what clap cannot see by itself.
     pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
         let is_drawn = self.output.as_ref().is_some_and(LinesOut::is_drawn);
-        if let (false, Some(option)) = (is_drawn, self.picture.useless()) {
-            let message = format!("{option} belongs to a drawing or picture, and none is asked for");
-            return Err(Cli::command().error(ErrorKind::ArgumentConflict, message));
-        }
+        self.picture.check_beside(is_drawn)?;
         self.sources.check()?;
         self.exact.check()
     }

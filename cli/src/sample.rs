@@ -4,9 +4,8 @@ use crate::args::SourceArgs;
 use crate::measured::measured;
 use crate::output::{self, Timing};
 use crate::picture::{Picture, PictureArgs, Quantity};
-use crate::{Cli, Result, input};
-use clap::error::ErrorKind;
-use clap::{Args, CommandFactory as _};
+use crate::{Result, input};
+use clap::Args;
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -55,13 +54,7 @@ pub(crate) struct SampleArgs {
 impl SampleArgs {
     /// Refuses what clap cannot see by itself.
     pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
-        match self.picture.useless() {
-            Some(option) => {
-                let message = format!("{option} belongs to a picture and means nothing without --picture");
-                Err(Cli::command().error(ErrorKind::ArgumentConflict, message))
-            }
-            None => Ok(()),
-        }
+        self.picture.check()
     }
 }
 

@@ -6,9 +6,8 @@ use crate::field::exact_field;
 use crate::measured::{Seconds, measured};
 use crate::output::{self, Output, Timing};
 use crate::picture::{CELL_COLOURS, Picture, PictureArgs, Quantity};
-use crate::{Cli, Result, input};
-use clap::error::ErrorKind;
-use clap::{Args, CommandFactory as _};
+use crate::{Result, input};
+use clap::Args;
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -58,10 +57,7 @@ pub(crate) struct VoronoiArgs {
 impl VoronoiArgs {
     /// Refuses what clap cannot see by itself.
     pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
-        if let Some(option) = self.picture.useless() {
-            let message = format!("{option} belongs to a picture and means nothing without --picture");
-            return Err(Cli::command().error(ErrorKind::ArgumentConflict, message));
-        }
+        self.picture.check()?;
         self.sources.check()?;
         self.exact.check()
     }

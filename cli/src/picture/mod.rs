@@ -18,12 +18,13 @@ mod surface;
 mod text;
 mod view;
 
-use crate::Result;
 use crate::output::Output;
+use crate::{Cli, Result};
 use body::Body;
 use camera::{Camera, Frame};
 use canvas::Canvas;
-use clap::Args;
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory as _};
 pub(crate) use colour::Encoder;
 use colour::{ColourMap, srgb};
 use glam::Vec3;
@@ -101,10 +102,22 @@ impl PictureArgs {
         Ok(Some((path, bytes)))
     }
 
-    /// The option that means nothing where nothing is drawn.
-    pub(crate) fn useless(&self) -> Option<&'static str> {
+    /// Refuses options that mean nothing where no picture is asked for.
+    pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
+        self.refuse("belongs to a picture and means nothing without --picture")
+    }
+
+    /// The same beside a drawing of lines, which obeys these options too.
+    pub(crate) fn check_beside(&self, is_drawn: bool) -> std::result::Result<(), clap::Error> {
+        if is_drawn { Ok(()) } else { self.refuse("belongs to a drawing or picture, and none is asked for") }
+    }
+
+    fn refuse(&self, reason: &str) -> std::result::Result<(), clap::Error> {
         let given = [("--view", self.view.is_some()), ("--size", self.size.is_some())];
-        given.into_iter().find_map(|(name, is_given)| (is_given && self.picture.is_none()).then_some(name))
+        match given.into_iter().find(|&(_, is_given)| is_given && self.picture.is_none()) {
+            None => Ok(()),
+            Some((option, _)) => Err(Cli::command().error(ErrorKind::ArgumentConflict, format!("{option} {reason}"))),
+        }
     }
 
     pub(crate) fn size(&self) -> [u32; 2] {
