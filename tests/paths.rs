@@ -228,7 +228,7 @@ fn each_place_knows_its_nearest_source() {
         let mut sources: Vec<Source> =
             (0..4).map(|_| Source::vertex(random.below(mesh.vertex_count()) as u32)).collect();
         sources.extend((0..4).map(|_| Source::point(random.point(mesh)).with_offset(0.3 * random.next() - 0.1)));
-        let alone: Vec<ExactField> = sources.iter().map(|&source| field(mesh, &[source])).collect();
+        let alone: Vec<ExactField> = sources.iter().map(|source| field(mesh, std::slice::from_ref(source))).collect();
         let together = field(mesh, &sources);
         let nearest: Vec<f64> = (0..mesh.vertex_count())
             .map(|v| alone.iter().map(|field| field.distances()[v]).fold(f64::INFINITY, f64::min))

@@ -5,7 +5,7 @@
 //! manifold. Bundles of such straight lines travel over the mesh as [windows](window); where they meet, the shorter one
 //! survives. Distances are exact up to rounding, about 1e-15 of the largest on ordinary meshes.
 //!
-//! Data path: [`charts`] (each triangle laid flat) -> [`propagate`] (windows cross triangles; [`envelope`] trims them;
+//! Data path: [`charts`] (each triangle laid flat) -> [`start`] (windows leave the sources) -> [`propagate`] (windows cross triangles; [`envelope`] trims them;
 //! [`stop`] ends it early) -> labels of the vertices -> [`trace`] (any point; paths). [`batch`] does many at once.
 //!
 //! Cost: O(V²) windows in the worst case, about 20 per triangle on scans; the memory grows with the front only.
@@ -14,6 +14,8 @@ mod batch;
 mod charts;
 mod envelope;
 mod propagate;
+mod segment;
+mod start;
 mod stop;
 mod trace;
 mod window;
@@ -22,13 +24,16 @@ use crate::control::{Control, Piece};
 use crate::error::{Element, Error, Reason, Result};
 use crate::mesh::Mesh;
 use crate::metric::Scale;
-use crate::surface::point::{Curve, Place, Seed, Source, SurfacePoint};
+use crate::surface::curve::Curve;
+use crate::surface::point::{Place, SurfacePoint};
+use crate::surface::source::{Origin, Seed, Source};
 pub use batch::SparseDistances;
 use charts::{Bend, Chart};
 use propagate::{Found, Front};
 use std::sync::Arc;
 use stop::{Stop, Units};
 use trace::Trace;
+use window::{Mixed, Rays, Spreading};
 
 /// A mesh prepared for exact distances. Clones share the preparation; any number of threads may use one.
 ///
@@ -117,16 +122,14 @@ impl ExactSolver {
         let seeds = Source::checked(sources, mesh)?;
         check_targets(&options.targets, mesh.vertex_count())?;
         check_radius(options.radius)?;
-        let mut front = Front::new(&self.0);
-        if options.keep_windows {
-            front.keep_windows();
-        }
-        let (units, rho, ended) = self.0.propagate(&mut front, &seeds, options, Piece::whole(control));
+        let (found, units, rho, ended) = match has_curves(&seeds) {
+            false => self.0.find::<Spreading>(&seeds, options, control),
+            true => self.0.find::<Mixed>(&seeds, options, control),
+        };
         let interruption = match ended {
             Err(error) if !options.allow_partial => return Err(error),
             ended => ended.err(),
         };
-        let found = front.finish();
         let mut distances: Vec<f64> = found.label.iter().map(|&label| units.to_mesh(label)).collect();
         let final_radius = units.final_radius(rho).min(options.radius);
         let mut is_cut = rho < f64::INFINITY;
@@ -140,10 +143,25 @@ impl ExactSolver {
 }
 
 impl Prepared {
-    /// Propagates from checked sources, on a front without any. Returns its units and ρ: labels below it are final.
-    fn propagate(
+    /// What there is to find from checked sources; its units and ρ.
+    fn find<R: Rays>(
         &self,
-        front: &mut Front,
+        seeds: &[Seed],
+        options: &ExactOptions,
+        control: &Control,
+    ) -> (Found, Units, f64, Result<()>) {
+        let mut front = Front::<R>::new(self);
+        if options.keep_windows {
+            front.keep_windows();
+        }
+        let (units, rho, ended) = self.propagate(&mut front, seeds, options, Piece::whole(control));
+        (front.finish(), units, rho, ended)
+    }
+
+    /// Propagates from checked sources, on a front without any. Returns its units and ρ: labels below it are final.
+    fn propagate<R: Rays>(
+        &self,
+        front: &mut Front<R>,
         seeds: &[Seed],
         options: &ExactOptions,
         control: Piece,
@@ -157,16 +175,17 @@ impl Prepared {
     }
 
     /// Puts sources on a front; their distances count from `least`.
-    fn begin(&self, front: &mut Front, seeds: &[Seed], least: f64) -> Units {
+    fn begin<R: Rays>(&self, front: &mut Front<R>, seeds: &[Seed], least: f64) -> Units {
         for seed in seeds {
-            let distance = self.scale.to_unit(seed.offset - least);
-            match &seed.place {
-                Place::Vertex(v) => front.start(*v, distance, seed.source),
-                Place::Face(point) => front.start_inside(point, distance, seed.source),
-            }
+            front.start(&seed.origin, self.scale.to_unit(seed.offset - least), seed.source);
         }
         Units { scale: self.scale, least }
     }
+}
+
+/// Whether a front with windows of both kinds is needed.
+fn has_curves<'a>(seeds: impl IntoIterator<Item = &'a Seed>) -> bool {
+    seeds.into_iter().any(|seed| matches!(seed.origin, Origin::Curve(_)))
 }
 
 fn check_radius(radius: f64) -> Result<()> {
@@ -292,7 +311,8 @@ impl ExactField {
     }
 
     fn place(&self, point: &SurfacePoint) -> Result<Place> {
-        let place = point.checked(&self.solver.mesh).map_err(|message| Error::new(Reason::BadArgument, message))?;
+        let mesh = &self.solver.mesh;
+        let place = point.checked(mesh).map_err(|message| Error::new(Reason::BadArgument, message))?.as_place(mesh);
         if matches!(place, Place::Face(_)) && self.found.kept.is_none() {
             let message = "a point that is no vertex needs a field that keeps its windows (keep_windows)";
             return Err(Error::new(Reason::BadArgument, message));
