@@ -18,8 +18,18 @@
 
 use super::window::{Rays, Window};
 
+/// More windows than this are trimmed by halves first: where all overlap, as those of many sources in one triangle do,
+/// their number is then that of what survives soon, and not squared in time.
+const MANY: usize = 512;
+
 /// Trims the windows of one half-edge in place; `height` is that of its triangle, `scratch` is overwritten.
 pub(crate) fn trim<R: Rays>(windows: &mut Vec<Window<R>>, height: f64, scratch: &mut Scratch<R>) {
+    if windows.len() > MANY {
+        let mut half = windows.split_off(windows.len() / 2);
+        trim(windows, height, scratch);
+        trim(&mut half, height, scratch);
+        windows.append(&mut half);
+    }
     sort(windows, &mut scratch.kept);
     let Scratch { kept, pending } = scratch;
     kept.clear();
