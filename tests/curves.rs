@@ -45,19 +45,14 @@ fn corner(mesh: &Mesh, v: u32) -> SurfacePoint {
     SurfacePoint { face, barycentric: triangle.map(|corner| f64::from(u8::from(corner == v))) }
 }
 
-/// The shortest ways from point to point, one after another.
+/// The shortest ways from point to point, and back to the first of a closed curve.
 fn through(mesh: &Mesh, points: &[SurfacePoint], is_closed: bool) -> Curve {
-    let mut curve = Vec::new();
-    let mut add = |from: &SurfacePoint, to: &SurfacePoint| {
-        curve.pop();
-        curve.extend(field(mesh, &[Source::point(*to)]).path(from).unwrap().unwrap().points);
-    };
-    points.windows(2).for_each(|pair| add(&pair[0], &pair[1]));
+    let stops: Vec<SurfacePoint> = points.iter().chain(is_closed.then_some(&points[0])).copied().collect();
+    let mut curve = ExactSolver::new(mesh).unwrap().curve_through(&stops, &Control::new()).unwrap();
     if is_closed {
-        add(points.last().unwrap(), &points[0]);
-        curve.pop();
+        curve.points.pop();
     }
-    Curve { points: curve, is_closed }
+    Curve { is_closed, ..curve }
 }
 
 fn euclid(a: [f64; 3], b: [f64; 3]) -> f64 {

@@ -13,6 +13,7 @@
 mod batch;
 mod charts;
 mod envelope;
+mod join;
 mod propagate;
 mod segment;
 mod start;

@@ -246,20 +246,19 @@ impl Trace<'_> {
         Some(end)
     }
 
-    /// Without the points that coincide with the next one: the segment between has no length.
+    /// Of points that coincide only one: the segment between has no length. The one that comes first, if it lies in the
+    /// triangle of the segment behind the other too.
     fn merged(&self, points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
         let position = |point: &SurfacePoint| point.position(&self.solver.mesh).ok();
         let mut merged: Vec<SurfacePoint> = Vec::with_capacity(points.len());
-        let Some(&last) = points.last() else { return merged };
         for point in points {
-            if merged.last().is_some_and(|before| position(before) == position(&point)) {
-                merged.pop();
-            }
-            merged.push(point);
+            let same = merged.pop_if(|before| position(before) == position(&point));
+            let renamed = same.and_then(|before| before.in_triangle(&self.solver.mesh, point.face));
+            merged.push(renamed.unwrap_or(point));
         }
         // The last point names the triangle of the segment before it.
         if let [.., before, end] = &mut merged[..]
-            && let Some(renamed) = last.in_triangle(&self.solver.mesh, before.face)
+            && let Some(renamed) = end.in_triangle(&self.solver.mesh, before.face)
         {
             *end = renamed;
         }

@@ -68,7 +68,7 @@ impl Curve {
 impl Segment {
     /// From one checked point to another, in the triangle that the first one names or, if that does not hold both, in
     /// another that does.
-    fn between(from: &SurfacePoint, to: &SurfacePoint, mesh: &Mesh) -> Option<Segment> {
+    pub(crate) fn between(from: &SurfacePoint, to: &SurfacePoint, mesh: &Mesh) -> Option<Segment> {
         let in_triangle = |from: &SurfacePoint| {
             let to = to.in_triangle(mesh, from.face)?;
             Some(Segment { face: from.face, ends: [from.barycentric, to.barycentric] })
