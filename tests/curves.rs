@@ -338,3 +338,274 @@ fn what_changes_nothing() {
         }
     }
 }
+
+#[test]
+fn a_curve_of_one_point_is_that_point() {
+    let mut random = Random(5);
+    for (name, mesh) in &made() {
+        let vertex = corner(mesh, random.below(mesh.vertex_count()) as u32);
+        let triangle = mesh.triangles()[vertex.face as usize];
+        for point in [vertex, random.point(mesh), along(mesh, [triangle[2], triangle[0]], 0.3)] {
+            let right = field(mesh, &[Source::point(point)]);
+            for curve in [open(vec![point]), Curve { points: vec![point], is_closed: true }, open(vec![point; 3])] {
+                let ours = from_curve(mesh, &curve);
+                assert_eq!(ours.distances(), right.distances(), "{name}");
+            }
+        }
+    }
+}
+
+/// Each triangle on an edge may be named for a segment along it.
+#[test]
+fn any_triangle_on_an_edge_may_hold_a_segment() {
+    let page = |z: f64| [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.3, 1.0, z]];
+    let mut positions = page(0.0).to_vec();
+    positions.extend([page(0.4)[2], [0.6, -1.0, 0.5]]);
+    let mesh = Mesh::from_triangles(&positions, &[[0, 1, 2], [3, 1, 0], [1, 4, 0]]).unwrap();
+    let point = |face: u32, share: f64| {
+        let at = |v: u32| {
+            if v == 0 {
+                1.0 - share
+            } else if v == 1 {
+                share
+            } else {
+                0.0
+            }
+        };
+        SurfacePoint { face, barycentric: mesh.triangles()[face as usize].map(at) }
+    };
+    let of = |faces: [u32; 2]| from_curve(&mesh, &open(vec![point(faces[0], 0.2), point(faces[1], 0.7)]));
+    let plain = of([0, 0]);
+    let height = |v: usize| (mesh.positions()[v][1].powi(2) + mesh.positions()[v][2].powi(2)).sqrt();
+    assert_near(plain.distances(), &[0.2, 0.3, height(2), height(3), height(4)], 1e-15, "three pages");
+    for faces in [[0, 1], [1, 0], [1, 1], [1, 2], [2, 0], [2, 2]] {
+        assert_near(of(faces).distances(), plain.distances(), 1e-15, &format!("{faces:?}"));
+    }
+    for face in 0..3 {
+        let path = plain.path_from_vertex(2 + face).unwrap().unwrap();
+        check_path(&mesh, &path, plain.distances()[2 + face as usize], "three pages");
+        assert_eq!(path.points.len(), 2);
+    }
+}
+
+#[test]
+fn curves_among_other_sources() {
+    let mut random = Random(6);
+    for (name, mesh) in &made() {
+        let mut sources: Vec<Source> = curves(mesh, &mut random).into_iter().map(Source::curve).collect();
+        sources.push(Source::vertex(random.below(mesh.vertex_count()) as u32));
+        sources.push(Source::point(random.point(mesh)));
+        sources.rotate_right(1);
+        let offsets: Vec<f64> = sources.iter().map(|_| 0.4 * random.next() - 0.1).collect();
+        let sources: Vec<Source> =
+            sources.into_iter().zip(&offsets).map(|(source, d)| source.with_offset(*d)).collect();
+        let alone: Vec<ExactField> = sources.iter().map(|source| field(mesh, std::slice::from_ref(source))).collect();
+        let together = field(mesh, &sources);
+        let least = |v: usize| alone.iter().map(|field| field.distances()[v]).fold(f64::INFINITY, f64::min);
+        let nearest: Vec<f64> = (0..mesh.vertex_count()).map(least).collect();
+        assert_near(together.distances(), &nearest, 1e-14, name);
+        for (v, source) in together.nearest_sources().enumerate() {
+            let source = source.unwrap() as usize;
+            let distance = alone[source].distances()[v];
+            assert!((distance - nearest[v]).abs() <= 1e-13, "{name}: vertex {v}: source {source} is {distance} away");
+            let path = together.path_from_vertex(v as u32).unwrap().unwrap();
+            let length: f64 = pieces(mesh, &path).iter().map(|&[a, b]| euclid(a, b)).sum();
+            let right = distance - offsets[source];
+            assert!((length - right).abs() <= 1e-12, "{name}: vertex {v}: path of {length}, not {right}");
+        }
+        for _ in 0..20 {
+            let point = random.point(mesh);
+            let source = together.nearest_source(&point).unwrap().unwrap();
+            let [all, one] = [&together, &alone[source as usize]].map(|field| field.distance(&point).unwrap());
+            assert!((all - one).abs() <= 1e-13, "{name}: source {source} is {one} away, not {all}");
+        }
+    }
+}
+
+#[test]
+fn batches_radii_and_targets_know_curves() {
+    let mut random = Random(7);
+    for (name, mesh) in &made() {
+        let solver = ExactSolver::new(mesh).unwrap();
+        let sources: Vec<Source> = curves(mesh, &mut random).into_iter().map(Source::curve).collect();
+        let sets: Vec<Vec<Source>> = sources
+            .iter()
+            .map(|source| vec![source.clone()])
+            .chain([vec![Source::vertex(0)], sources.clone()])
+            .collect();
+        let alone: Vec<Vec<f64>> = sets.iter().map(|set| field(mesh, set).distances().to_vec()).collect();
+        for threads in [1, 3] {
+            let rows = solver.distance_rows(&sets, threads, &Control::new()).unwrap();
+            assert!(rows == alone, "{name}: {threads} threads");
+        }
+        let largest = alone[0].iter().copied().fold(0.0, f64::max);
+        let radius = 0.3 * largest;
+        let near = solver.distances_within(&sources, radius, 2, &Control::new()).unwrap();
+        for i in 0..sources.len() {
+            let row = near.row_start()[i]..near.row_start()[i + 1];
+            let given: Vec<(u32, f64)> =
+                near.vertices()[row.clone()].iter().copied().zip(near.distances()[row].iter().copied()).collect();
+            let right: Vec<(u32, f64)> = (0..).zip(alone[i].iter().copied()).filter(|&(_, d)| d <= radius).collect();
+            assert_eq!(given, right, "{name}: within {radius} of curve {i}");
+            let v = (0..).zip(&alone[i]).max_by(|a, b| a.1.total_cmp(b.1)).unwrap().0;
+            let options = ExactOptions { targets: vec![v / 2], ..ExactOptions::default() };
+            let early = solver.field(&[sources[i].clone()], &options, &Control::new()).unwrap();
+            assert_eq!(early.distances()[v as usize / 2], alone[i][v as usize / 2], "{name}");
+            for (d, full) in early.distances().iter().zip(&alone[i]) {
+                assert_eq!(*d, if *full <= early.final_radius() { *full } else { f64::INFINITY }, "{name}");
+            }
+        }
+        let samples = solver.farthest_points(&sources[..1], 3, &Control::new()).unwrap();
+        assert_eq!(samples[0].1, largest, "{name}");
+    }
+}
+
+#[test]
+fn curves_through_points() {
+    let mut random = Random(8);
+    let mesh = shapes::torus(20, 14, 2.0, 0.7).mesh().unwrap();
+    let solver = ExactSolver::new(&mesh).unwrap();
+    let through = |points: &[SurfacePoint]| solver.curve_through(points, &Control::new());
+    let stops: Vec<SurfacePoint> = (0..5).map(|_| random.point(&mesh)).collect();
+    let curve = through(&stops).unwrap();
+    let ways = stops.windows(2).map(|pair| field(&mesh, &[Source::point(pair[0])]).distance(&pair[1]).unwrap());
+    let length: f64 = pieces(&mesh, &curve).iter().map(|&[a, b]| euclid(a, b)).sum();
+    assert!((length - ways.sum::<f64>()).abs() < 1e-12);
+    for (i, pair) in curve.points.windows(2).enumerate() {
+        assert!(is_in(&mesh, &pair[1], pair[0].face), "segment {i} leaves its triangle");
+    }
+    // A triangle holds both, so the way is straight, and points at one place are one.
+    let inside = |a: f64| SurfacePoint { face: 7, barycentric: [a, 0.5 - a, 0.5] };
+    assert_eq!(through(&[inside(0.1), inside(0.4), inside(0.4)]).unwrap().points.len(), 2);
+    assert_eq!(through(&[inside(0.1), inside(0.1)]).unwrap().points.len(), 1);
+    assert!(through(&[]).unwrap().points.is_empty());
+    let error = through(&[inside(0.1), SurfacePoint { face: 9999, ..inside(0.1) }]).unwrap_err();
+    assert_eq!((error.reason(), error.element()), (Reason::BadArgument, Some(Element::Point(1))));
+    // Two parts.
+    let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let both: Vec<[f64; 3]> = square.iter().copied().chain(square.map(|[x, y, _]| [x, y, 1.0])).collect();
+    let parts = Mesh::from_triangles(&both, &[[0, 1, 2], [3, 4, 5]]).unwrap();
+    let apart = [0, 1].map(|face| SurfacePoint { face, barycentric: [0.2, 0.3, 0.5] });
+    let error = ExactSolver::new(&parts).unwrap().curve_through(&apart, &Control::new()).unwrap_err();
+    assert_eq!((error.reason(), error.element()), (Reason::BadArgument, Some(Element::Point(1))));
+}
+
+#[test]
+fn errors_name_the_source_and_the_point() {
+    let mesh = shapes::grid(3, 3).mesh().unwrap();
+    let inside = |face: u32| SurfacePoint { face, barycentric: [0.2, 0.3, 0.5] };
+    let refused = |curve: Curve| -> Error {
+        let sources = [Source::vertex(0), Source::curve(curve)];
+        ExactSolver::new(&mesh).unwrap().field(&sources, &ExactOptions::default(), &Control::new()).unwrap_err()
+    };
+    let weights = |barycentric: [f64; 3]| open(vec![inside(0), SurfacePoint { face: 0, barycentric }]);
+    let to_far = open(vec![inside(0), inside(0), inside(9)]);
+    for (curve, message) in [
+        (open(Vec::new()), "without points"),
+        (open(vec![inside(0), inside(18)]), "point 1 lies in triangle 18"),
+        (weights([f64::NAN, 0.5, 0.5]), "point 1 has the weights"),
+        (weights([-0.5, 1.0, 0.5]), "point 1 has the weights"),
+        (weights([0.5, 0.4, 0.0]), "point 1 has the weights"),
+        (to_far.clone(), "from point 1 to the next lies in no triangle"),
+        (Curve { is_closed: true, ..to_far }, "from point 1 to the next"),
+    ] {
+        let error = refused(curve);
+        assert_eq!((error.reason(), error.element()), (Reason::BadArgument, Some(Element::Source(1))), "{message}");
+        assert!(error.message().contains(message), "{}: expected {message}", error.message());
+    }
+    let offset = Source::curve(open(vec![inside(0), inside(0)])).with_offset(f64::INFINITY);
+    let refused = ExactSolver::new(&mesh).unwrap().field(&[offset], &ExactOptions::default(), &Control::new());
+    assert_eq!(refused.unwrap_err().reason(), Reason::BadArgument);
+    let heat = HeatSolver::new(&mesh, &HeatOptions::default(), &Control::new()).unwrap();
+    let refused = heat.distances(&[Source::curve(open(vec![inside(0)]))], &Control::new()).unwrap_err();
+    assert_eq!((refused.reason(), refused.element()), (Reason::BadArgument, Some(Element::Source(0))));
+}
+
+/// Triangles without area, edges without length, points at one place, coordinates at the ends of the range.
+#[test]
+fn hostile_meshes_have_answers() {
+    let thirds = |face: u32| SurfacePoint { face, barycentric: [1.0 / 3.0; 3] };
+    let pieces = |face: u32| open(vec![thirds(face), SurfacePoint { face, barycentric: [0.0, 0.5, 0.5] }]);
+    for scale in [1.0, 1e-300, 1e300] {
+        for (what, corners) in [
+            ("no area", [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.4, 0.0, 0.0], [0.1, 0.9, 0.0]]),
+            ("no length", [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.1, 0.9, 0.0]]),
+            ("one place", [[0.3, 0.4, 0.5]; 4]),
+            ("needle", [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1e-13, 0.0], [0.1, 0.9, 0.0]]),
+        ] {
+            let mut positions: Vec<[f64; 3]> = corners.iter().map(|p| p.map(|x| x * scale)).collect();
+            positions.push([f64::NAN; 3]); // of no triangle
+            let mesh = Mesh::from_triangles(&positions, &[[0, 1, 2], [0, 1, 3], [2, 1, 3], [3, 3, 0]]).unwrap();
+            for face in 0..3 {
+                let curve = pieces(face);
+                let field = from_curve(&mesh, &curve);
+                let pair = self::pieces(&mesh, &curve)[0];
+                for v in 0..4 {
+                    let d = field.distances()[v];
+                    let least = to_segment(mesh.positions()[v].map(|x| x / scale), pair.map(|p| p.map(|x| x / scale)));
+                    let is_sane = d / scale >= least - 1e-14 && d / scale <= 3.0;
+                    assert!(is_sane, "{what}, scale {scale:e}, curve in {face}: vertex {v} at {d:e}, not {least:e}");
+                }
+                assert_eq!(field.distances()[4], f64::INFINITY);
+            }
+        }
+    }
+}
+
+/// Where the surface is flat the waves of a straight line stay one, and they are not cut up where others begin.
+#[test]
+fn windows_stay_few() {
+    let (sides, rows) = (40, 60);
+    let mesh = shapes::cylinder(sides, rows, 3.0).mesh().unwrap();
+    let rim = Curve { points: (0..sides).map(|v| corner(&mesh, v)).collect(), is_closed: true };
+    let windows = from_curve(&mesh, &rim).windows();
+    assert!(windows <= 28_000, "grid: {windows} windows");
+    let mesh = shapes::grid(60, 60).mesh().unwrap();
+    let line = through(&mesh, &[corner(&mesh, 5 * 61 + 3), corner(&mesh, 41 * 61 + 57)], false);
+    let windows = from_curve(&mesh, &line).windows();
+    assert!(windows <= 190_000, "torus: {windows} windows");
+    let mesh = shapes::torus(96, 48, 1.0, 0.4).mesh().unwrap();
+    let line = through(&mesh, &[corner(&mesh, 7), corner(&mesh, 2000)], false);
+    let windows = from_curve(&mesh, &line).windows();
+    assert!(windows <= 9_200, "rim: {windows} windows");
+}
+
+/// A scribble of so many segments in one triangle takes time in proportion.
+#[test]
+fn many_segments_in_one_triangle() {
+    let mesh = cube();
+    let mut random = Random(9);
+    let points: Vec<SurfacePoint> = (0..20_000).map(|_| SurfacePoint { face: 0, ..random.point(&mesh) }).collect();
+    let curve = open(points);
+    let field = from_curve(&mesh, &curve);
+    let pieces = pieces(&mesh, &curve);
+    for v in [0, 1, 2, 3] {
+        let right = pieces.iter().map(|&piece| to_segment(mesh.positions()[v], piece)).fold(f64::INFINITY, f64::min);
+        assert!((field.distances()[v] - right).abs() < 1e-15, "vertex {v}");
+    }
+}
+
+#[test]
+fn real_meshes() {
+    let mut random = Random(10);
+    for name in
+        ["bumpy.off", "fandisk.off", "moebius.obj", "triceratops_slivers.off", "fan3_nm_edge.obj", "louvre_cad.obj"]
+    {
+        let Some(folder) = corpus() else { return };
+        let mesh = Mesh::read(folder.join(name)).unwrap();
+        let heights: Vec<f64> = mesh.positions().iter().map(|p| p[0] + 0.3 * p[1] + 0.1 * p[2]).collect();
+        let [low, high] = heights.iter().fold([f64::MAX, f64::MIN], |[low, high], &x| [low.min(x), high.max(x)]);
+        let lines = isolines(&mesh, &heights, &[low + 0.37 * (high - low)]).unwrap();
+        let longest = lines.iter().max_by_key(|line| line.curve.points.len()).unwrap().curve.clone();
+        check_against_samples(&mesh, &longest, 8, name);
+        let field = from_curve(&mesh, &longest);
+        for v in (0..mesh.vertex_count() as u32).step_by(1 + mesh.vertex_count() / 500) {
+            if let Some(path) = field.path_from_vertex(v).unwrap() {
+                check_path(&mesh, &path, field.distances()[v as usize], &format!("{name}, vertex {v}"));
+            }
+        }
+        let face = random.below(mesh.triangle_count()) as u32;
+        let within = (0..4).map(|_| SurfacePoint { face, ..random.point(&mesh) }).collect();
+        check_against_samples(&mesh, &open(within), 30, name);
+    }
+}
