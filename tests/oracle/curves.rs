@@ -3,8 +3,8 @@
 //! new about curves.
 
 use super::cases;
-use super::soups::{KINDS, Random, Soup, soup};
-use taut::{Control, Curve, ExactField, ExactOptions, ExactSolver, Mesh, Source, SurfacePoint};
+use super::soups::{KINDS, Random, Soup, needles, soup};
+use taut::{Control, Curve, ExactField, ExactOptions, ExactSolver, Mesh, Reason, Source, SurfacePoint};
 
 fn field(solver: &ExactSolver, source: Source) -> ExactField {
     let options = ExactOptions { keep_windows: true, ..ExactOptions::default() };
@@ -130,5 +130,69 @@ fn curves_on_soups_agree() {
                 check(&format!("{kind:?}, case {case}"), &soup, &curve, 1e-9);
             }
         }
+    }
+}
+
+#[test]
+fn curves_on_needles_agree() {
+    for kind in KINDS {
+        let mut random = Random(22);
+        for case in 0..cases(10) {
+            for width in [1e-3, 1e-6, 1e-9, 1e-12] {
+                let soup = needles(kind, width, &mut random);
+                if let Some(curve) = curve(&soup.1, &mut random) {
+                    check(&format!("{kind:?}, {width:e}, case {case}"), &soup, &curve, 1e-9);
+                }
+            }
+        }
+    }
+}
+
+/// Each path is as long as the distance and ends on the curve, or is lost; tells how many are lost.
+fn lost_paths(soup: &Soup, curve: &Curve) -> usize {
+    let mesh = Mesh::from_triangles(&soup.0, &soup.1).unwrap();
+    let field = field(&ExactSolver::new(&mesh).unwrap(), Source::curve(curve.clone()));
+    let mut lost = 0;
+    for (v, &distance) in (0..).zip(field.distances()).filter(|(_, d)| d.is_finite()) {
+        let path = match field.path_from_vertex(v) {
+            Ok(path) => path.unwrap(),
+            Err(error) => {
+                assert_eq!(error.reason(), Reason::PathLost);
+                lost += 1;
+                continue;
+            }
+        };
+        let length = |points: &[[f64; 3]]| points.windows(2).map(|pair| euclid(pair[0], pair[1])).sum::<f64>();
+        let positions = path.positions(&mesh).unwrap();
+        let long = length(&positions);
+        assert!(
+            (long - distance).abs() <= 1e-9 * (distance + 1e-3),
+            "{v}: {long}, not {distance}\n{soup:?}\n{curve:?}"
+        );
+        let end = positions[positions.len() - 1];
+        let curve_points = curve.positions(&mesh).unwrap();
+        // On a segment the ways to its ends add up to its length.
+        let beside = |pair: &[[f64; 3]]| euclid(pair[0], end) + euclid(end, pair[1]) - euclid(pair[0], pair[1]);
+        let off = curve_points.windows(2).map(beside).fold(f64::INFINITY, f64::min);
+        assert!(off <= 1e-9, "the path of {v} ends {off:e} beside the curve\n{soup:?}\n{curve:?}");
+    }
+    lost
+}
+
+fn euclid(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
+}
+
+#[test]
+fn paths_on_soups_end_on_the_curve() {
+    for kind in KINDS {
+        let mut random = Random(23);
+        let mut lost = 0;
+        for _ in 0..cases(500) {
+            let soup = soup(kind, &mut random);
+            lost += curve(&soup.1, &mut random).map_or(0, |curve| lost_paths(&soup, &curve));
+        }
+        // Among vertices at one place and triangles without area.
+        assert!(lost as u32 <= cases(500) / 10, "{kind:?}: {lost} paths are lost");
     }
 }
