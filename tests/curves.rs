@@ -548,6 +548,11 @@ fn hostile_meshes_have_answers() {
                 }
                 assert_eq!(field.distances()[4], f64::INFINITY);
             }
+            // An ignored triangle holds no segment, but others that have its vertices do.
+            let ignored = |barycentric: [f64; 3]| SurfacePoint { face: 3, barycentric };
+            let edge = open(vec![ignored([1.0, 0.0, 0.0]), ignored([0.0, 0.0, 1.0])]);
+            let right = from_curve(&mesh, &open(vec![corner(&mesh, 3), corner(&mesh, 0)]));
+            assert_eq!(from_curve(&mesh, &edge).distances(), right.distances(), "{what}, scale {scale:e}");
         }
     }
 }

@@ -221,6 +221,19 @@ fn points_on_edges_belong_to_every_triangle_there() {
     }
 }
 
+/// A source on an edge of one triangle only.
+#[test]
+fn paths_lead_to_the_boundary() {
+    let mesh = shapes::grid(3, 2).mesh().unwrap();
+    let middle = SurfacePoint { face: 0, barycentric: [0.6, 0.4, 0.0] };
+    assert_eq!(middle.position(&mesh).unwrap()[1], 0.0);
+    let from_middle = field(&mesh, &[Source::point(middle)]);
+    check_vertex_paths(&mesh, &from_middle, 1, "from the boundary");
+    let inside = SurfacePoint { face: 0, barycentric: [0.2, 0.3, 0.5] };
+    let path = from_middle.path(&inside).unwrap().unwrap();
+    check_path(&mesh, &path, from_middle.distance(&inside).unwrap(), "from the boundary");
+}
+
 #[test]
 fn each_place_knows_its_nearest_source() {
     let mut random = Random(4);

@@ -72,8 +72,9 @@ fn obj(text: &str) -> Result<Vec<Vec<Given>>> {
         let words: Vec<&str> = content.split_whitespace().collect();
         let expected = |what: &str| format!("line {line}: expected {what}, found {:?}", content.trim());
         match words[..] {
-            ["v", x, y, z, ..] => {
-                let position = [x, y, z].map(number).into_iter().collect::<Option<Vec<f64>>>();
+            ["v", ..] => {
+                let position: Option<Vec<f64>> = words[1..].iter().take(3).map(|word| number(word)).collect();
+                let position: Option<[f64; 3]> = position.and_then(|position| position.try_into().ok());
                 positions.push(position.ok_or_else(|| expected("three coordinates"))?);
             }
             ["l" | "p", ..] => {
@@ -81,7 +82,7 @@ fn obj(text: &str) -> Result<Vec<Vec<Given>>> {
                     let index: i64 = number(word.split('/').next()?)?;
                     let count = positions.len() as i64; // fits: they are in memory
                     let place = if index < 0 { count + index } else { index - 1 };
-                    positions.get(usize::try_from(place).ok()?).map(|p: &Vec<f64>| Given::Near([p[0], p[1], p[2]]))
+                    positions.get(usize::try_from(place).ok()?).map(|&position| Given::Near(position))
                 };
                 let curve: Option<Vec<Given>> = words[1..].iter().map(vertex).collect();
                 let curve = curve.filter(|curve| !curve.is_empty());

@@ -90,3 +90,21 @@ pub(crate) fn numbers(path: &Path, what: &str, mesh: &Mesh) -> Result<Vec<f64>> 
     }
     Err(format!("{}: has {given} numbers, but the mesh has {needed} vertices", path.display()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Places;
+    use taut::{Curve, Source, SurfacePoint, shapes};
+
+    #[test]
+    fn lines_are_what_is_longer_than_a_point() {
+        let mesh = shapes::grid(1, 1).mesh().unwrap();
+        let corner = |k: usize| SurfacePoint { face: 0, barycentric: [0, 1, 2].map(|l| f64::from(u8::from(k == l))) };
+        let curve = |points: Vec<SurfacePoint>| Source::curve(Curve { points, is_closed: false });
+        let sources = [curve(vec![corner(0), corner(1)]), Source::vertex(3), curve(vec![corner(1)])];
+        let Places { points, lines } = Places::new(&sources, &mesh).unwrap();
+        let at = |k: usize| mesh.positions()[mesh.triangles()[0][k] as usize];
+        assert_eq!(points, [mesh.positions()[3], at(1)]);
+        assert_eq!(lines, [vec![at(0), at(1)]]);
+    }
+}

@@ -3,7 +3,8 @@
 //! Two windows are equally far where σ₁ + |S₁ - x| = σ₂ + |S₂ - x|. Along the edge the difference of the two sides has
 //! at most one stationary point, where both pseudo-sources are seen under the same angle, so its signs at both ends of
 //! the overlap and at that point tell every change of sign; each root is then found inside a bracket whose signs are
-//! proven, and nothing is left to a failing formula.
+//! proven, and nothing is left to a failing formula. Parallel rays are seen under one angle everywhere, other rays under
+//! each angle once, and so that holds for them too; the difference of two windows of parallel rays is linear.
 //!
 //! Small overlaps are left alone, because to find where they change hands costs more than it saves, and *crumbs*, windows
 //! so narrow that rounding made them, are dropped.

@@ -3,10 +3,12 @@
 //! A shortest path is straight inside each triangle and across each edge once the triangles are unfolded, and bends only
 //! at *pseudo-sources*: vertices with more than 2π of surface around them, reflex boundary corners, places that are not
 //! manifold. Bundles of such straight lines travel over the mesh as [windows](window); where they meet, the shorter one
-//! survives. Distances are exact up to rounding, about 1e-15 of the largest on ordinary meshes.
+//! survives. Distances are exact up to rounding, about 1e-15 of the largest on ordinary meshes. Sources are vertices, points
+//! and curves.
 //!
-//! Data path: [`charts`] (each triangle laid flat) -> [`start`] (windows leave the sources) -> [`propagate`] (windows cross triangles; [`envelope`] trims them;
-//! [`stop`] ends it early) -> labels of the vertices -> [`trace`] (any point; paths). [`batch`] does many at once.
+//! Data path: [`charts`] (each triangle laid flat) -> [`start`] (windows leave the sources) -> [`propagate`] (they cross
+//! triangles; [`envelope`] trims them; [`stop`] ends it early) -> labels of the vertices -> [`trace`] (any point; paths).
+//! [`batch`] does many at once, [`join`] makes curves.
 //!
 //! Cost: O(V²) windows in the worst case, about 20 per triangle on scans; the memory grows with the front only.
 

@@ -56,6 +56,7 @@ impl Curve {
         let mut segments = Vec::with_capacity(points.len());
         for (i, (from, to)) in points.iter().zip(points[1..].iter().chain(back)).enumerate() {
             match Segment::between(from, to, mesh) {
+                _ if from == to => {}
                 Some(segment) if segment.ends[0] == segment.ends[1] => {}
                 Some(segment) => segments.push(segment),
                 None => return Err(format!("is a curve whose segment from point {i} to the next lies in no triangle")),

@@ -98,9 +98,10 @@ impl SurfacePoint {
         }
     }
 
-    /// A corner of a triangle as a point in it.
+    /// A corner of a triangle as a point in it; None for any other vertex, and in an ignored triangle.
     pub(crate) fn corner(mesh: &Mesh, face: u32, v: u32) -> Option<SurfacePoint> {
-        let k = mesh.triangles()[face as usize].iter().position(|&corner| corner == v)?;
+        let triangle = &mesh.triangles()[face as usize];
+        let k = triangle.iter().position(|&corner| corner == v).filter(|_| !repeats_index(triangle))?;
         let mut barycentric = [0.0; 3];
         barycentric[k] = 1.0;
         Some(SurfacePoint { face, barycentric })
