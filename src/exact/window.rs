@@ -278,8 +278,10 @@ impl<R: Rays> Window<R> {
             if far > 0.0 { turn.side * (far / (near + far)) } else { 0.0 }
         };
         let (b0, b1) = (hit(first), hit(self.b1));
-        let at_apex = self.distance(length) - sx * turn.tx + self.sy * turn.ty;
-        let sigma = if self.rays.are_parallel() { at_apex } else { self.sigma };
+        let sigma = match self.rays.are_parallel() {
+            true => self.distance(length) - sx * turn.tx + self.sy * turn.ty, // at the apex
+            false => self.sigma,
+        };
         let [sx, sy] = turn.source(sx, self.sy);
         (b0 < b1).then_some(Window { b0, b1, sx: weight * turn.side - sx, sy, sigma, ..*self })
     }
