@@ -78,9 +78,7 @@ static std::vector<std::vector<Kernel::Point_3>> polylines(const taut_curves *cu
 }
 
 static Answers our_answers(const Peers &peers, const Places &from, const Places &to) {
-    taut_exact *exact = nullptr;
-    check(taut_exact_new(peers.taut.get(), &exact));
-    const Handle<taut_exact> exact_owner(exact, taut_exact_free);
+    const Handle<taut_exact> exact = prepared(peers);
     taut_sources sources = {};
     sources.struct_size = sizeof sources;
     sources.faces = from.face_rows();
@@ -89,7 +87,7 @@ static Answers our_answers(const Peers &peers, const Places &from, const Places 
     options.struct_size = sizeof options;
     options.keep_windows = 1;
     taut_exact_field *field = nullptr;
-    check(taut_exact_field_new(exact, &sources, &options, nullptr, &field));
+    check(taut_exact_field_new(exact.get(), &sources, &options, nullptr, &field));
     const Handle<taut_exact_field> field_owner(field, taut_exact_field_free);
 
     Answers answers{std::vector<double>(to.count()), std::vector<std::int32_t>(to.count()), {}};

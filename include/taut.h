@@ -251,6 +251,12 @@ typedef struct taut_mesh taut_mesh;
 /** The diagnosis of a mesh. */
 typedef struct taut_report taut_report;
 
+/**
+ * The distances of what lies within a radius of each of several sources: a sparse matrix in compressed rows, one row for
+ * each source, one entry for each vertex that it reaches.
+ */
+typedef struct taut_sparse_distances taut_sparse_distances;
+
 /** The last failure in detail. */
 typedef struct {
     /** `sizeof(taut_error)`, set by the caller. */
@@ -668,7 +674,8 @@ taut_status taut_control_set_time_limit(const taut_control *control, double seco
  * - `control`: not NULL.
  * - `bytes`: 0 means no limit.
  *
- * Only `taut_exact_field_new` counts its memory; to other calls this makes no difference.
+ * Only calls that compute exact distances count their memory: each of their threads by itself, and without the rows
+ * that they gather. To other calls this makes no difference.
  *
  * Errors: `control` is NULL. Cost: O(1). Threads: any.
  */
@@ -1112,6 +1119,131 @@ taut_status taut_exact_field_interruption(const taut_exact_field *field);
 
 /** Frees a field; NULL is fine. */
 void taut_exact_field_free(taut_exact_field *field);
+
+/**
+ * Computes the exact distances of every vertex from each of several sources, one field for each.
+ *
+ * - `exact`: not NULL.
+ * - `sources`: where to measure from; not NULL. No source means no rows.
+ * - `threads`: how many threads compute rows: 1 for the calling one only, 0 for as many as the machine has, 1024 at most.
+ *   The distances are the same, to the bit, for any number.
+ * - `control`: progress, cancellation and limits, or NULL.
+ * - `out`: rows of as many real numbers as there are vertices, at least one row for each source, in their order; mesh
+ *   units. +INFINITY where the source does not reach.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; else as for `taut_exact_field_new`. Cost: that of
+ * `taut_exact_field_new` for each source, shared by the threads, each with the memory of one field; and 8 bytes for each
+ * number until all are there. Threads: any, also on one `exact` at once. The control is consulted as by
+ * `taut_exact_field_new`, on every thread, but tells its progress on the calling one only, which may wait at the end for
+ * the last row of another; a memory limit holds for each thread, without the rows.
+ */
+taut_status taut_exact_distance_rows(const taut_exact *exact,
+                                     const taut_sources *sources,
+                                     size_t threads,
+                                     const taut_control *control,
+                                     taut_output out);
+
+/**
+ * Computes the exact distances up to a radius from each of several sources.
+ *
+ * - `exact`: not NULL.
+ * - `sources`: where to measure from; not NULL. No source means no rows.
+ * - `radius`: the largest distance wanted, start distances included, in mesh units, not negative. It counts as it is: 0
+ *   leaves what is no farther than 0, +INFINITY everything that a source reaches.
+ * - `threads`: as for `taut_exact_distance_rows`.
+ * - `control`: progress, cancellation and limits, or NULL.
+ * - `out`: receives the distances, to be freed with `taut_sparse_distances_free`; NULL on failure.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT where the radius is negative or NaN; else as for `taut_exact_field_new`. Cost: time
+ * and memory in proportion to what is reached, and for each thread 50 bytes a vertex and 12 a triangle. Threads: any, also
+ * on one `exact` at once. The control is consulted as by `taut_exact_distance_rows`.
+ */
+taut_status taut_exact_distances_within(const taut_exact *exact,
+                                        const taut_sources *sources,
+                                        double radius,
+                                        size_t threads,
+                                        const taut_control *control,
+                                        taut_sparse_distances **out);
+
+/**
+ * Tells how many rows there are: one for each source.
+ *
+ * - `distances`: not NULL.
+ *
+ * Returns 0 if `distances` is NULL. Cost: O(1). Threads: any.
+ */
+size_t taut_sparse_distances_row_count(const taut_sparse_distances *distances);
+
+/**
+ * Tells how many entries all rows have together.
+ *
+ * - `distances`: not NULL.
+ *
+ * Returns 0 if `distances` is NULL. Cost: O(1). Threads: any.
+ */
+size_t taut_sparse_distances_count(const taut_sparse_distances *distances);
+
+/**
+ * Copies out where the entries of each row begin: row i has the entries from offsets[i] up to, not including,
+ * offsets[i + 1].
+ *
+ * - `distances`: not NULL.
+ * - `out`: rows of one index, at least `taut_sparse_distances_row_count` + 1; the first is 0, the last the number of
+ *   entries.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where an offset exceeds the type. Cost: linear in the
+ * rows. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_sparse_distances_offsets(const taut_sparse_distances *distances, taut_output out);
+
+/**
+ * Copies out which vertex each entry is about, in ascending order in each row.
+ *
+ * - `distances`: not NULL.
+ * - `out`: rows of one index, at least `taut_sparse_distances_count` of them.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where an index exceeds the type. Cost: linear in the
+ * entries. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_sparse_distances_vertices(const taut_sparse_distances *distances, taut_output out);
+
+/**
+ * Copies out the distance of each entry, as `taut_exact_distance_rows` has it, to the bit.
+ *
+ * - `distances`: not NULL.
+ * - `out`: rows of one real number, at least `taut_sparse_distances_count` of them; mesh units.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: linear in the entries. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_sparse_distances_values(const taut_sparse_distances *distances, taut_output out);
+
+/** Frees sparse distances; NULL is fine. */
+void taut_sparse_distances_free(taut_sparse_distances *distances);
+
+/**
+ * Spreads vertices evenly over the surface, by farthest point sampling: each is the vertex that is farthest from the
+ * sources and from all before it; of equally far ones the first.
+ *
+ * - `exact`: not NULL.
+ * - `sources`: what to begin with; not NULL, at least one.
+ * - `count`: how many vertices are wanted.
+ * - `control`: progress, cancellation and limits, or NULL.
+ * - `vertices`: rows of one index, at least `count` of them. Where all vertices of triangles are taken already, all bits
+ *   are set: -1 in a signed type, the largest value of an unsigned one.
+ * - `distances`: rows of one real number, at least `count` of them: how far each vertex was when it was taken, in mesh
+ *   units; +INFINITY for the first one in a component without any, 0 where there is no vertex.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; TAUT_REASON_BAD_ARGUMENT where a vertex exceeds the
+ * type; else as for `taut_exact_field_new`. On failure nothing is written. Cost: the first vertex as much as a field, each
+ * further one about as much as the area that it takes, and O(V). Threads: any, also on one `exact` at once. The control is
+ * consulted as by `taut_exact_field_new`.
+ */
+taut_status taut_exact_farthest_points(const taut_exact *exact,
+                                       const taut_sources *sources,
+                                       size_t count,
+                                       const taut_control *control,
+                                       taut_output vertices,
+                                       taut_output distances);
 
 /**
  * Draws the lines along which a field takes given values: points on edges of the mesh, joined through triangles.

@@ -138,7 +138,7 @@ fn errors_and_cancellation_leave_no_rows() {
     let solver = ExactSolver::new(&mesh).unwrap();
     let sets = vec![vec![Source::vertex(0)], vec![Source::vertex(1), Source::vertex(9999)]];
     let error = solver.distance_rows(&sets, 2, &Control::new()).unwrap_err();
-    assert_eq!((error.reason(), error.element()), (Reason::VertexOutOfRange, Some(Element::Source(1))));
+    assert_eq!((error.reason(), error.element()), (Reason::VertexOutOfRange, Some(Element::Source(2))));
     let error = solver.distances_within(&[Source::vertex(0)], -1.0, 2, &Control::new()).unwrap_err();
     assert_eq!(error.reason(), Reason::BadArgument);
     let error = solver.farthest_points(&[], 2, &Control::new()).unwrap_err();

@@ -10,8 +10,9 @@
 use super::stop::Stop;
 use super::{ExactOptions, ExactSolver, Front, Prepared, check_radius};
 use crate::control::{Control, Piece};
-use crate::error::Result;
-use crate::surface::point::Source;
+use crate::error::{Element, Error, Result};
+use crate::mesh::Mesh;
+use crate::surface::point::{Seed, Source};
 use std::num::NonZero;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -62,10 +63,10 @@ impl ExactSolver {
     /// holds for each thread, without the rows.
     ///
     /// # Errors
-    /// As [`ExactSolver::field`]; the source's number is that in its set.
+    /// As [`ExactSolver::field`]; sources are counted through all sets.
     pub fn distance_rows(&self, sets: &[Vec<Source>], threads: usize, control: &Control) -> Result<Vec<Vec<f64>>> {
         let mesh = &self.0.mesh;
-        let sets = sets.iter().map(|set| Source::checked(set, mesh)).collect::<Result<Vec<_>>>()?;
+        let sets = checked_sets(sets, mesh)?;
         let options = ExactOptions::default();
         self.0.rows(sets.len(), threads, control, |front, row, control| {
             let (units, _, ended) = self.0.propagate(front, &sets[row], &options, control);
@@ -142,6 +143,20 @@ impl ExactSolver {
         control.report(1.0);
         Ok(samples)
     }
+}
+
+/// The sources of each set; errors count through all sets.
+fn checked_sets(sets: &[Vec<Source>], mesh: &Mesh) -> Result<Vec<Vec<Seed>>> {
+    let mut before = 0;
+    let checked = |set: &Vec<Source>| {
+        let seeds = Source::checked(set, mesh).map_err(|error| match error.element() {
+            Some(Element::Source(i)) => Error::at(error.reason(), Element::Source(before + i), error.message()),
+            _ => error,
+        });
+        before += set.len() as u64;
+        seeds
+    };
+    sets.iter().map(checked).collect()
 }
 
 impl Prepared {

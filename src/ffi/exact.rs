@@ -11,8 +11,8 @@ use crate::{Curve, Element, Error, ExactField, ExactOptions, ExactSolver, Mesh, 
 
 /// A mesh prepared for exact distances. Serves any number of calls.
 pub struct taut_exact {
-    solver: ExactSolver,
-    mesh: Mesh,
+    pub(super) solver: ExactSolver,
+    pub(super) mesh: Mesh,
 }
 
 /// The exact distances from one set of sources, and the shortest paths to them.

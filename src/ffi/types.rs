@@ -195,7 +195,16 @@ impl taut_output {
     /// # Safety
     /// The view describes writable memory that nobody else uses during the call.
     pub(super) unsafe fn write_scalars<const WIDTH: usize>(self, rows: &[[f64; WIDTH]], name: &str) -> Result<()> {
-        let (kind, layout) = self.scalar_layout::<WIDTH>(rows.len(), name)?;
+        // SAFETY: as the caller promises.
+        unsafe { self.write_scalar_rows(rows, WIDTH, name) }
+    }
+
+    /// Writes rows of `width` real numbers, all or none.
+    ///
+    /// # Safety
+    /// As [`taut_output::write_scalars`].
+    pub(super) unsafe fn write_scalar_rows<R: AsRef<[f64]>>(self, rows: &[R], width: usize, name: &str) -> Result<()> {
+        let (kind, layout) = self.scalar_layout(rows.len(), width, name)?;
         // SAFETY: the layout is checked against the view, and the caller promises writable memory.
         unsafe {
             match kind {
@@ -207,10 +216,16 @@ impl taut_output {
         Ok(())
     }
 
-    /// Whether `needed` rows of real numbers can be written; asked first where one call fills several views.
-    pub(super) fn scalar_layout<const WIDTH: usize>(self, needed: usize, name: &str) -> Result<(ScalarType, Layout)> {
+    /// Whether `needed` rows of real numbers can be written; asked first where the work is long, or fills several views.
+    pub(super) fn scalar_layout(self, needed: usize, width: usize, name: &str) -> Result<(ScalarType, Layout)> {
         let kind = scalar_type(self.r#type, name)?;
-        Ok((kind, self.layout::<WIDTH, _>(needed, kind, name)?))
+        Ok((kind, self.layout(needed, width, kind, name)?))
+    }
+
+    /// Whether `needed` rows of indices can be written, but for their size.
+    pub(super) fn index_layout(self, needed: usize, width: usize, name: &str) -> Result<(IndexType, Layout)> {
+        let kind = index_type(self.r#type, name)?;
+        Ok((kind, self.layout(needed, width, kind, name)?))
     }
 
     /// Writes rows of indices, all or none.
@@ -220,7 +235,18 @@ impl taut_output {
     pub(super) unsafe fn write_indices<const WIDTH: usize>(self, rows: &[[u32; WIDTH]], name: &str) -> Result<()> {
         let largest = rows.iter().flatten().copied().max().unwrap_or(0);
         // SAFETY: as the caller promises.
-        unsafe { self.write_integers(rows, largest, u64::from, name) }
+        unsafe { self.write_integers(rows, largest.into(), u64::from, name) }
+    }
+
+    /// Writes rows of one offset, all or none; they never decrease.
+    ///
+    /// # Safety
+    /// As [`taut_output::write_scalars`].
+    pub(super) unsafe fn write_offsets(self, offsets: &[usize], name: &str) -> Result<()> {
+        let bits = |offset: usize| offset as u64;
+        let largest = offsets.last().copied().map_or(0, bits);
+        // SAFETY: as the caller promises.
+        unsafe { self.write_integers(offsets.as_chunks::<1>().0, largest, bits, name) }
     }
 
     /// Writes rows of one index, all or none; no index is all ones in an unsigned type, -1 in a signed one.
@@ -229,7 +255,7 @@ impl taut_output {
     /// As [`taut_output::write_scalars`].
     pub(super) unsafe fn write_optional_indices(self, indices: &[Option<u32>], name: &str) -> Result<()> {
         // One more than the largest must fit too, so that no index looks like none.
-        let largest = indices.iter().flatten().max().map_or(0, |i| i.saturating_add(1));
+        let largest = indices.iter().flatten().max().map_or(0, |&i| u64::from(i) + 1);
         let bits = |index: Option<u32>| index.map_or(u64::MAX, u64::from);
         // SAFETY: as the caller promises.
         unsafe { self.write_integers(indices.as_chunks::<1>().0, largest, bits, name) }
@@ -242,16 +268,16 @@ impl taut_output {
     unsafe fn write_integers<S: Copy, const WIDTH: usize>(
         self,
         rows: &[[S; WIDTH]],
-        largest: u32,
+        largest: u64,
         bits: impl Fn(S) -> u64,
         name: &str,
     ) -> Result<()> {
-        let kind = index_type(self.r#type, name)?;
-        let layout = self.layout::<WIDTH, _>(rows.len(), kind, name)?;
+        let (kind, layout) = self.index_layout(rows.len(), WIDTH, name)?;
         let fits = match kind {
             IndexType::U16 => u16::try_from(largest).is_ok(),
+            IndexType::U32 => u32::try_from(largest).is_ok(),
             IndexType::I32 => i32::try_from(largest).is_ok(),
-            IndexType::U32 | IndexType::U64 | IndexType::I64 => true,
+            IndexType::U64 | IndexType::I64 => true,
         };
         if !fits {
             let message = format!("`{name}.type` is too small for the index {largest}");
@@ -271,13 +297,13 @@ impl taut_output {
     }
 
     /// The checked layout of `needed` rows in this view.
-    fn layout<const WIDTH: usize, T: ElementType>(self, needed: usize, kind: T, name: &str) -> Result<Layout> {
-        let layout = Layout::new(self.data, self.count, self.stride, WIDTH, kind, name)?;
+    fn layout<T: ElementType>(self, needed: usize, width: usize, kind: T, name: &str) -> Result<Layout> {
+        let layout = Layout::new(self.data, self.count, self.stride, width, kind, name)?;
         if self.count < needed {
             let message = format!("`{name}` has room for {} rows, but {needed} are needed", self.count);
             return Err(Error::new(Reason::BufferTooSmall, message));
         }
-        if layout.stride < WIDTH * kind.size() {
+        if layout.stride < width * kind.size() {
             return Err(Error::new(
                 Reason::BadArgument,
                 format!("the rows of `{name}` overlap: its stride is too small"),
@@ -289,6 +315,8 @@ impl taut_output {
 
 /// Where the rows of a view lie.
 pub(super) struct Layout {
+    /// Elements in a row.
+    width: usize,
     /// Bytes from one row to the next.
     stride: usize,
     /// Bytes from the first to past the last.
@@ -312,21 +340,16 @@ impl Layout {
         if isize::try_from(span).is_err() {
             return Err(Error::new(Reason::TooManyElements, format!("`{name}` spans more memory than there can be")));
         }
-        Ok(Layout { stride, span })
+        Ok(Layout { width, stride, span })
     }
 
     /// Writes `rows` to `data`, which need not be aligned.
     ///
     /// # Safety
-    /// Rows of `WIDTH` elements of type `T` in this layout are writable.
-    unsafe fn write<S: Copy, T, const WIDTH: usize>(
-        &self,
-        data: *mut c_void,
-        rows: &[[S; WIDTH]],
-        convert: impl Fn(S) -> T,
-    ) {
+    /// As many rows of elements of type `T` in this layout are writable.
+    unsafe fn write<S: Copy, T>(&self, data: *mut c_void, rows: &[impl AsRef<[S]>], convert: impl Fn(S) -> T) {
         for (i, row) in rows.iter().enumerate() {
-            for (k, &element) in row.iter().enumerate() {
+            for (k, &element) in row.as_ref().iter().take(self.width).enumerate() {
                 // SAFETY: element (i, k) lies in the layout's span, which does not overflow.
                 unsafe {
                     data.cast::<u8>().add(i * self.stride).cast::<T>().add(k).write_unaligned(convert(element));
