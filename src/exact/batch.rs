@@ -8,9 +8,9 @@
 //! reach is only what is nearer to it than to all samples before.
 
 use super::stop::Stop;
-use super::{ExactOptions, ExactSolver, Front, Prepared, check_radius};
+use super::{ExactSolver, Front, Prepared, check_radius};
 use crate::control::{Control, Piece};
-use crate::error::{Element, Error, Result};
+use crate::error::{Element, Result};
 use crate::mesh::Mesh;
 use crate::surface::point::{Seed, Source};
 use std::num::NonZero;
@@ -67,9 +67,8 @@ impl ExactSolver {
     pub fn distance_rows(&self, sets: &[Vec<Source>], threads: usize, control: &Control) -> Result<Vec<Vec<f64>>> {
         let mesh = &self.0.mesh;
         let sets = checked_sets(sets, mesh)?;
-        let options = ExactOptions::default();
         self.0.rows(sets.len(), threads, control, |front, row, control| {
-            let (units, _, ended) = self.0.propagate(front, &sets[row], &options, control);
+            let (units, _, ended) = self.0.propagate(front, &sets[row], f64::INFINITY, &[], control);
             ended?;
             Ok((0..).take(mesh.vertex_count()).map(|v| units.to_mesh(front.label(v))).collect())
         })
@@ -95,9 +94,8 @@ impl ExactSolver {
             [] => Vec::new(),
             _ => Source::checked(sources, &self.0.mesh)?,
         };
-        let options = ExactOptions { radius, ..ExactOptions::default() };
         let rows = self.0.rows(seeds.len(), threads, control, |front, row, control| {
-            let (units, _, ended) = self.0.propagate(front, &seeds[row..=row], &options, control);
+            let (units, _, ended) = self.0.propagate(front, &seeds[row..=row], radius, &[], control);
             ended?;
             let near = front.reached().iter().map(|&v| (v, units.to_mesh(front.label(v))));
             let mut near: Vec<(u32, f64)> = near.filter(|&(_, distance)| distance <= radius).collect();
@@ -150,7 +148,7 @@ fn checked_sets(sets: &[Vec<Source>], mesh: &Mesh) -> Result<Vec<Vec<Seed>>> {
     let mut before = 0;
     let checked = |set: &Vec<Source>| {
         let seeds = Source::checked(set, mesh).map_err(|error| match error.element() {
-            Some(Element::Source(i)) => Error::at(error.reason(), Element::Source(before + i), error.message()),
+            Some(Element::Source(i)) => error.about(Element::Source(before + i)),
             _ => error,
         });
         before += set.len() as u64;

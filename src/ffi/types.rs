@@ -1,7 +1,7 @@
 //! What crosses the border by value: views of the caller's buffers, sources, structs that state their own size.
 
 use super::guard::null;
-use crate::{Element, ElementType, Error, IndexType, Reason, Result, Rows, ScalarType, Source, SurfacePoint};
+use crate::{Element, ElementType, Error, IndexType, Reason, Result, Rows, ScalarType, Source, SurfacePoint, Target};
 use libc::c_void;
 use std::mem::MaybeUninit;
 
@@ -78,6 +78,27 @@ pub struct taut_sources {
 
 // SAFETY: repr(C), starts with its size; views are valid for any bytes, and a later field begins after the last one.
 unsafe impl SizedStruct for taut_sources {}
+
+/// Places that are asked about: vertices, points of the surface, or both.
+///
+/// Targets are numbered from 0, the vertices first and the points after them: answers are given and errors named by this
+/// number. A NULL pointer to targets means every vertex of the mesh.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct taut_targets {
+    /// `sizeof(taut_targets)`.
+    pub struct_size: usize,
+    /// Rows of one vertex index.
+    pub vertices: taut_input,
+    /// Rows of one index, a point of the surface each: the triangle in which it lies.
+    pub faces: taut_input,
+    /// Rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, not negative,
+    /// their sum 1 up to 1e-6.
+    pub barycentrics: taut_input,
+}
+
+// SAFETY: as for taut_sources.
+unsafe impl SizedStruct for taut_targets {}
 
 /// A struct that grows at its end from version to version.
 ///
@@ -383,67 +404,78 @@ pub(super) fn bad_enum(name: &str, value: u32) -> Error {
     Error::new(Reason::BadArgument, format!("`{name}` cannot be {value}"))
 }
 
-/// Vertex indices; one that does not fit in 32 bits names its row by `element`.
-///
-/// # Safety
-/// As [`taut_input::scalars`].
-pub(super) unsafe fn vertices(view: taut_input, name: &str, element: fn(u64) -> Element) -> Result<Vec<u32>> {
-    // SAFETY: as the caller promises.
-    let rows = unsafe { view.indices(1, name)? };
-    let vertex = |row: usize| {
-        let message = "is a vertex index that is negative or beyond 32 bits";
-        rows.index(row, 0).ok_or_else(|| Error::at(Reason::VertexOutOfRange, element(row as u64), message))
-    };
-    (0..rows.count()).map(vertex).collect()
-}
-
-/// Points of the surface; a face that does not fit in 32 bits names its row by `element`. In messages the names of the
-/// views begin with `owner`.
+/// The places that a caller's struct describes: the vertices, then the points; an index that does not fit in 32 bits
+/// names its place by `element`. In messages the names of the views begin with `owner`.
 ///
 /// # Safety
 /// The views describe readable memory.
-pub(super) unsafe fn surface_points(
+unsafe fn places(
+    vertices: taut_input,
     faces: taut_input,
     barycentrics: taut_input,
     owner: &str,
-    element: impl Fn(u64) -> Element,
-) -> Result<Vec<SurfacePoint>> {
-    let [faces_name, weights_name] = ["faces", "barycentrics"].map(|name| format!("{owner}{name}"));
+    element: fn(u64) -> Element,
+) -> Result<Vec<Target>> {
+    let [vertices_name, faces_name, weights_name] =
+        ["vertices", "faces", "barycentrics"].map(|name| format!("{owner}.{name}"));
     // SAFETY: as the caller promises.
-    let (faces, weights) = unsafe { (faces.indices(1, &faces_name)?, barycentrics.scalars(3, &weights_name)?) };
+    let (vertices, faces, weights) = unsafe {
+        let vertices = vertices.indices(1, &vertices_name)?;
+        (vertices, faces.indices(1, &faces_name)?, barycentrics.scalars(3, &weights_name)?)
+    };
     if faces.count() != weights.count() {
         let message =
             format!("`{faces_name}` has {} rows, but `{weights_name}` has {}", faces.count(), weights.count());
         return Err(Error::new(Reason::BadArgument, message));
     }
-    let point = |row: usize| match faces.index(row, 0) {
-        Some(face) => Ok(SurfacePoint { face, barycentric: [0, 1, 2].map(|k| weights.scalar(row, k)) }),
-        None => {
-            let message = "lies in a triangle whose index is negative or beyond 32 bits";
-            Err(Error::at(Reason::BadArgument, element(row as u64), message))
-        }
+    let vertex = |row: usize| {
+        let message = "is a vertex index that is negative or beyond 32 bits";
+        let error = || Error::at(Reason::VertexOutOfRange, element(row as u64), message);
+        vertices.index(row, 0).map(Target::Vertex).ok_or_else(error)
     };
-    (0..faces.count()).map(point).collect()
+    let point = |row: usize| {
+        let message = "lies in a triangle whose index is negative or beyond 32 bits";
+        let error = || Error::at(Reason::BadArgument, element((vertices.count() + row) as u64), message);
+        let face = faces.index(row, 0).ok_or_else(error)?;
+        Ok(Target::Point(SurfacePoint { face, barycentric: [0, 1, 2].map(|k| weights.scalar(row, k)) }))
+    };
+    (0..vertices.count()).map(vertex).chain((0..faces.count()).map(point)).collect()
 }
 
-/// The caller's sources: the vertices, then the points.
+/// The caller's targets; None for NULL, which means every vertex.
 ///
 /// # Safety
-/// `sources` is NULL or points to a struct of the size it states, whose views describe readable memory.
+/// `targets` is NULL or points to a struct of the size it states, whose views describe readable memory.
+pub(super) unsafe fn targets(targets: *const taut_targets, name: &str) -> Result<Option<Vec<Target>>> {
+    if targets.is_null() {
+        return Ok(None);
+    }
+    // SAFETY: as the caller promises.
+    unsafe {
+        let taut_targets { vertices, faces, barycentrics, .. } = read_sized(targets, name)?;
+        places(vertices, faces, barycentrics, name, Element::Target).map(Some)
+    }
+}
+
+/// The caller's sources.
+///
+/// # Safety
+/// As [`targets`].
 pub(super) unsafe fn sources(sources: *const taut_sources) -> Result<Vec<Source>> {
     if sources.is_null() {
         return Err(null("sources"));
     }
     // SAFETY: as the caller promises.
-    let (vertices, offsets, points) = unsafe {
-        let sources = read_sized(sources, "sources")?;
-        let vertices = vertices(sources.vertices, "sources.vertices", Element::Source)?;
-        let element = |row| Element::Source(vertices.len() as u64 + row);
-        let points = surface_points(sources.faces, sources.barycentrics, "sources.", element)?;
-        (vertices, sources.offsets.numbers("sources.offsets")?, points)
+    let (places, offsets) = unsafe {
+        let taut_sources { vertices, offsets, faces, barycentrics, .. } = read_sized(sources, "sources")?;
+        let places = places(vertices, faces, barycentrics, "sources", Element::Source)?;
+        (places, offsets.numbers("sources.offsets")?)
     };
-    let places = vertices.into_iter().map(Source::vertex).chain(points.into_iter().map(Source::point));
-    let mut sources: Vec<Source> = places.collect();
+    let source = |place| match place {
+        Target::Vertex(v) => Source::vertex(v),
+        Target::Point(point) => Source::point(point),
+    };
+    let mut sources: Vec<Source> = places.into_iter().map(source).collect();
     if !offsets.is_empty() && offsets.len() != sources.len() {
         let message = format!("`sources` has {} vertices and points, but {} offsets", sources.len(), offsets.len());
         return Err(Error::new(Reason::BadArgument, message));
