@@ -91,12 +91,16 @@ static Answers our_answers(const Peers &peers, const Places &from, const Places 
     const Handle<taut_exact_field> field_owner(field, taut_exact_field_free);
 
     Answers answers{std::vector<double>(to.count()), std::vector<std::int32_t>(to.count()), {}};
-    check(taut_exact_field_point_distances(field, to.face_rows(), to.barycentric_rows(),
-                                           taut_output{answers.distances.data(), to.count(), 0, TAUT_TYPE_F64}));
-    check(taut_exact_field_point_nearest_sources(field, to.face_rows(), to.barycentric_rows(),
-                                                 taut_output{answers.nearest.data(), to.count(), 0, TAUT_TYPE_I32}));
+    taut_targets targets = {};
+    targets.struct_size = sizeof targets;
+    targets.faces = to.face_rows();
+    targets.barycentrics = to.barycentric_rows();
+    check(taut_exact_field_distances(field, &targets,
+                                     taut_output{answers.distances.data(), to.count(), 0, TAUT_TYPE_F64}));
+    check(taut_exact_field_nearest_sources(field, &targets,
+                                           taut_output{answers.nearest.data(), to.count(), 0, TAUT_TYPE_I32}));
     taut_curves *curves = nullptr;
-    check(taut_exact_field_point_paths(field, to.face_rows(), to.barycentric_rows(), &curves));
+    check(taut_exact_field_paths(field, &targets, nullptr, &curves));
     const Handle<taut_curves> curves_owner(curves, taut_curves_free);
     answers.paths = polylines(curves);
     return answers;

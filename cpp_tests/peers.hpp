@@ -94,7 +94,7 @@ inline std::vector<double> exact_distances(const Peers &peers, const std::vector
     check(taut_exact_field_new(exact.get(), &sources, nullptr, nullptr, &field));
     const Handle<taut_exact_field> field_owner(field, taut_exact_field_free);
     std::vector<double> distances(peers.vertex_count());
-    check(taut_exact_field_distances(field, taut_output{distances.data(), distances.size(), 0, TAUT_TYPE_F64}));
+    check(taut_exact_field_distances(field, nullptr, taut_output{distances.data(), distances.size(), 0, TAUT_TYPE_F64}));
     return distances;
 }
 
