@@ -127,7 +127,7 @@ impl ExactSolver {
         // Samples start at 0, which must not be below the least start distance.
         let least = seeds.iter().map(|seed| seed.offset).fold(0.0, f64::min);
         let units = prepared.begin(&mut front, &seeds, least);
-        let nothing = units.scale.to_unit(-least);
+        let nothing = units.scale.to_unit(-least); // the label of a sample
         let mut sources = seeds.len() as u32; // fits: sources are numbered by u32
         let mut samples = Vec::new();
         while samples.len() < count {
