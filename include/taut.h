@@ -1212,8 +1212,8 @@ void taut_sparse_distances_free(taut_sparse_distances *distances);
  * - `sources`: what to begin with; not NULL, at least one.
  * - `count`: how many vertices are wanted.
  * - `control`: progress, cancellation and limits, or NULL.
- * - `vertices`: rows of one index, at least `count` of them. Where all vertices of triangles are taken already, all bits
- *   are set: -1 in a signed type, the largest value of an unsigned one.
+ * - `vertices`: rows of one index, at least `count` of them. Once no vertex of a triangle is farther than 0, as when all
+ *   are taken, all bits are set: -1 in a signed type, the largest value of an unsigned one.
  * - `distances`: rows of one real number, at least `count` of them: how far each vertex was when it was taken, in mesh
  *   units; +INFINITY for the first one in a component without any, 0 where there is no vertex.
  *

@@ -54,7 +54,8 @@ pub use mesh::shapes;
 pub use report::{Angle, BoundaryLoop, Component, MeshReport, Properties};
 pub use surface::closest::{Closest, ClosestPoint};
 pub use surface::isoline::{Isoline, MAX_LEVELS, even_levels, isolines, spaced_levels};
-pub use surface::point::{Curve, Source, SurfacePoint, Target};
+pub use surface::point::{Curve, Source, SurfacePoint};
+pub use surface::target::Target;
 
 /// Keeps the README's program running.
 #[cfg(doctest)]

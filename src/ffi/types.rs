@@ -404,8 +404,50 @@ pub(super) fn bad_enum(name: &str, value: u32) -> Error {
     Error::new(Reason::BadArgument, format!("`{name}` cannot be {value}"))
 }
 
-/// The places that a caller's struct describes: the vertices, then the points; an index that does not fit in 32 bits
-/// names its place by `element`. In messages the names of the views begin with `owner`.
+/// Vertex indices; one that does not fit in 32 bits names its row by `element`.
+///
+/// # Safety
+/// As [`taut_input::scalars`].
+unsafe fn vertices(view: taut_input, name: &str, element: fn(u64) -> Element) -> Result<Vec<u32>> {
+    // SAFETY: as the caller promises.
+    let rows = unsafe { view.indices(1, name)? };
+    let vertex = |row: usize| {
+        let message = "is a vertex index that is negative or beyond 32 bits";
+        rows.index(row, 0).ok_or_else(|| Error::at(Reason::VertexOutOfRange, element(row as u64), message))
+    };
+    (0..rows.count()).map(vertex).collect()
+}
+
+/// Points of the surface; a face that does not fit in 32 bits names its row by `element`. In messages the names of the
+/// views begin with `owner`.
+///
+/// # Safety
+/// The views describe readable memory.
+unsafe fn surface_points(
+    faces: taut_input,
+    barycentrics: taut_input,
+    owner: &str,
+    element: impl Fn(u64) -> Element,
+) -> Result<Vec<SurfacePoint>> {
+    let [faces_name, weights_name] = ["faces", "barycentrics"].map(|name| format!("{owner}{name}"));
+    // SAFETY: as the caller promises.
+    let (faces, weights) = unsafe { (faces.indices(1, &faces_name)?, barycentrics.scalars(3, &weights_name)?) };
+    if faces.count() != weights.count() {
+        let message =
+            format!("`{faces_name}` has {} rows, but `{weights_name}` has {}", faces.count(), weights.count());
+        return Err(Error::new(Reason::BadArgument, message));
+    }
+    let point = |row: usize| match faces.index(row, 0) {
+        Some(face) => Ok(SurfacePoint { face, barycentric: [0, 1, 2].map(|k| weights.scalar(row, k)) }),
+        None => {
+            let message = "lies in a triangle whose index is negative or beyond 32 bits";
+            Err(Error::at(Reason::BadArgument, element(row as u64), message))
+        }
+    };
+    (0..faces.count()).map(point).collect()
+}
+
+/// The vertices, then the points; errors and messages as by [`vertices`] and [`surface_points`].
 ///
 /// # Safety
 /// The views describe readable memory.
@@ -416,30 +458,14 @@ unsafe fn places(
     owner: &str,
     element: fn(u64) -> Element,
 ) -> Result<Vec<Target>> {
-    let [vertices_name, faces_name, weights_name] =
-        ["vertices", "faces", "barycentrics"].map(|name| format!("{owner}.{name}"));
     // SAFETY: as the caller promises.
-    let (vertices, faces, weights) = unsafe {
-        let vertices = vertices.indices(1, &vertices_name)?;
-        (vertices, faces.indices(1, &faces_name)?, barycentrics.scalars(3, &weights_name)?)
+    let (vertices, points) = unsafe {
+        let vertices = self::vertices(vertices, &format!("{owner}.vertices"), element)?;
+        let behind = |row| element(vertices.len() as u64 + row);
+        let points = surface_points(faces, barycentrics, &format!("{owner}."), behind)?;
+        (vertices, points)
     };
-    if faces.count() != weights.count() {
-        let message =
-            format!("`{faces_name}` has {} rows, but `{weights_name}` has {}", faces.count(), weights.count());
-        return Err(Error::new(Reason::BadArgument, message));
-    }
-    let vertex = |row: usize| {
-        let message = "is a vertex index that is negative or beyond 32 bits";
-        let error = || Error::at(Reason::VertexOutOfRange, element(row as u64), message);
-        vertices.index(row, 0).map(Target::Vertex).ok_or_else(error)
-    };
-    let point = |row: usize| {
-        let message = "lies in a triangle whose index is negative or beyond 32 bits";
-        let error = || Error::at(Reason::BadArgument, element((vertices.count() + row) as u64), message);
-        let face = faces.index(row, 0).ok_or_else(error)?;
-        Ok(Target::Point(SurfacePoint { face, barycentric: [0, 1, 2].map(|k| weights.scalar(row, k)) }))
-    };
-    (0..vertices.count()).map(vertex).chain((0..faces.count()).map(point)).collect()
+    Ok(vertices.into_iter().map(Target::Vertex).chain(points.into_iter().map(Target::Point)).collect())
 }
 
 /// The caller's targets; None for NULL, which means every vertex.
@@ -457,7 +483,7 @@ pub(super) unsafe fn targets(targets: *const taut_targets, name: &str) -> Result
     }
 }
 
-/// The caller's sources.
+/// The caller's sources: the vertices, then the points.
 ///
 /// # Safety
 /// As [`targets`].

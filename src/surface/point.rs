@@ -114,28 +114,6 @@ impl SurfacePoint {
     }
 }
 
-/// A place that is asked about: how far it is, from which source, along which path.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Target {
-    /// A vertex.
-    Vertex(u32),
-    /// Any point of the surface. Its weights may sum to 1 up to 1e-6.
-    Point(SurfacePoint),
-}
-
-impl Target {
-    /// The place, if the mesh has it.
-    pub(crate) fn checked(&self, mesh: &Mesh) -> Result<Place> {
-        match *self {
-            Target::Vertex(v) if v as usize >= mesh.vertex_count() => {
-                Err(Error::new(Reason::VertexOutOfRange, out_of_range(v, mesh)))
-            }
-            Target::Vertex(v) => Ok(Place::Vertex(v)),
-            Target::Point(point) => point.checked(mesh).map_err(|message| Error::new(Reason::BadArgument, message)),
-        }
-    }
-}
-
 /// A place that distances are measured from, and the distance that it starts with.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Source {
