@@ -64,7 +64,7 @@ fn no_rows_of_no_sources() {
 fn progress_ends_with_the_work() {
     let solver = ExactSolver::new(&shapes::icosphere(2).mesh().unwrap()).unwrap();
     let sources: Vec<Source> = (0..7).map(Source::vertex).collect();
-    let sets: Vec<Vec<Source>> = sources.iter().map(|&source| vec![source]).collect();
+    let sets: Vec<Vec<Source>> = sources.chunks(1).map(<[Source]>::to_vec).collect();
     let calls: [&dyn Fn(&Control); 3] = [
         &|control| drop(solver.distance_rows(&sets, 3, control).unwrap()),
         &|control| drop(solver.distances_within(&sources, 0.1, 3, control).unwrap()),
