@@ -57,6 +57,7 @@ pub use surface::curve::Curve;
 pub use surface::isoline::{Isoline, MAX_LEVELS, even_levels, isolines, spaced_levels};
 pub use surface::point::SurfacePoint;
 pub use surface::source::Source;
+pub use surface::target::Target;
 
 /// Keeps the README's program running.
 #[cfg(doctest)]

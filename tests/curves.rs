@@ -5,7 +5,7 @@ mod common;
 use common::corpus;
 use taut::shapes::Shape;
 use taut::{Closest, Control, Curve, Element, Error, ExactField, ExactOptions, ExactSolver, HeatOptions, HeatSolver};
-use taut::{Mesh, Reason, Source, SurfacePoint, isolines, shapes};
+use taut::{Mesh, Reason, Source, SurfacePoint, Target, isolines, shapes};
 
 /// A small deterministic generator of numbers in [0, 1).
 struct Random(u64);
@@ -114,7 +114,8 @@ fn in_the_plane_the_nearest_segment_counts() {
             let largest = all.iter().copied().fold(0.0, f64::max);
             for _ in 0..30 {
                 let point = random.point(&mesh);
-                let [ours, right] = [from_curve.distance(&point).unwrap(), expected(point.position(&mesh).unwrap())];
+                let [ours, right] =
+                    [from_curve.distance(Target::Point(point)).unwrap(), expected(point.position(&mesh).unwrap())];
                 assert!((ours - right).abs() <= 1e-14 * largest, "{name}: {point:?}: {ours}, expected {right}");
             }
         }
@@ -151,15 +152,15 @@ fn from_a_boundary_loop() {
     let expected: Vec<f64> = mesh.positions().iter().map(|p| p[2]).collect();
     assert_near(field.distances(), &expected, 1e-14, "rim");
     for v in 0..mesh.vertex_count() as u32 {
-        check_path(&mesh, &field.path_from_vertex(v).unwrap().unwrap(), expected[v as usize], "rim");
+        check_path(&mesh, &field.path(Target::Vertex(v)).unwrap().unwrap(), expected[v as usize], "rim");
     }
     // A part of an edge, and an inner point of the mesh above it.
     let [a, b] = [0.25, 0.75].map(|w| along(&mesh, [0, 1], w));
     let part = from_curve(&mesh, &open(vec![a, b]));
     let middle = SurfacePoint { face: a.face, barycentric: [1.0 / 3.0; 3] };
-    let distance = part.distance(&middle).unwrap();
+    let distance = part.distance(Target::Point(middle)).unwrap();
     assert!((distance - middle.position(&mesh).unwrap()[2]).abs() < 1e-15);
-    check_path(&mesh, &part.path(&middle).unwrap().unwrap(), distance, "part of an edge");
+    check_path(&mesh, &part.path(Target::Point(middle)).unwrap().unwrap(), distance, "part of an edge");
 }
 
 /// The point on an edge of the mesh that has this share of it behind.
@@ -303,14 +304,14 @@ fn paths_end_on_the_curve() {
             let what = format!("{name}, curve {i}");
             let field = from_curve(mesh, curve);
             for v in 0..mesh.vertex_count() as u32 {
-                let path = field.path_from_vertex(v).unwrap().unwrap();
+                let path = field.path(Target::Vertex(v)).unwrap().unwrap();
                 check_path(mesh, &path, field.distances()[v as usize], &format!("{what}, vertex {v}"));
                 assert!(off_curve(mesh, &path, curve) < 1e-12, "{what}: the path of vertex {v} ends beside it");
             }
             for _ in 0..20 {
                 let point = random.point(mesh);
-                let distance = field.distance(&point).unwrap();
-                let path = field.path(&point).unwrap().unwrap();
+                let distance = field.distance(Target::Point(point)).unwrap();
+                let path = field.path(Target::Point(point)).unwrap().unwrap();
                 check_path(mesh, &path, distance, &what);
                 assert!(off_curve(mesh, &path, curve) < 1e-12, "{what}: the path of {point:?} ends beside it");
             }
@@ -382,7 +383,7 @@ fn any_triangle_on_an_edge_may_hold_a_segment() {
         assert_near(of(faces).distances(), plain.distances(), 1e-15, &format!("{faces:?}"));
     }
     for face in 0..3 {
-        let path = plain.path_from_vertex(2 + face).unwrap().unwrap();
+        let path = plain.path(Target::Vertex(2 + face)).unwrap().unwrap();
         check_path(&mesh, &path, plain.distances()[2 + face as usize], "three pages");
         assert_eq!(path.points.len(), 2);
     }
@@ -408,15 +409,16 @@ fn curves_among_other_sources() {
             let source = source.unwrap() as usize;
             let distance = alone[source].distances()[v];
             assert!((distance - nearest[v]).abs() <= 1e-13, "{name}: vertex {v}: source {source} is {distance} away");
-            let path = together.path_from_vertex(v as u32).unwrap().unwrap();
+            let path = together.path(Target::Vertex(v as u32)).unwrap().unwrap();
             let length: f64 = pieces(mesh, &path).iter().map(|&[a, b]| euclid(a, b)).sum();
             let right = distance - offsets[source];
             assert!((length - right).abs() <= 1e-12, "{name}: vertex {v}: path of {length}, not {right}");
         }
         for _ in 0..20 {
             let point = random.point(mesh);
-            let source = together.nearest_source(&point).unwrap().unwrap();
-            let [all, one] = [&together, &alone[source as usize]].map(|field| field.distance(&point).unwrap());
+            let source = together.nearest_source(Target::Point(point)).unwrap().unwrap();
+            let [all, one] =
+                [&together, &alone[source as usize]].map(|field| field.distance(Target::Point(point)).unwrap());
             assert!((all - one).abs() <= 1e-13, "{name}: source {source} is {one} away, not {all}");
         }
     }
@@ -448,7 +450,7 @@ fn batches_radii_and_targets_know_curves() {
             let right: Vec<(u32, f64)> = (0..).zip(alone[i].iter().copied()).filter(|&(_, d)| d <= radius).collect();
             assert_eq!(given, right, "{name}: within {radius} of curve {i}");
             let v = (0..).zip(&alone[i]).max_by(|a, b| a.1.total_cmp(b.1)).unwrap().0;
-            let options = ExactOptions { targets: vec![v / 2], ..ExactOptions::default() };
+            let options = ExactOptions { targets: vec![Target::Vertex(v / 2)], ..ExactOptions::default() };
             let early = solver.field(&[sources[i].clone()], &options, &Control::new()).unwrap();
             assert_eq!(early.distances()[v as usize / 2], alone[i][v as usize / 2], "{name}");
             for (d, full) in early.distances().iter().zip(&alone[i]) {
@@ -468,7 +470,8 @@ fn curves_through_points() {
     let through = |points: &[SurfacePoint]| solver.curve_through(points, &Control::new());
     let stops: Vec<SurfacePoint> = (0..5).map(|_| random.point(&mesh)).collect();
     let curve = through(&stops).unwrap();
-    let ways = stops.windows(2).map(|pair| field(&mesh, &[Source::point(pair[0])]).distance(&pair[1]).unwrap());
+    let ways =
+        stops.windows(2).map(|pair| field(&mesh, &[Source::point(pair[0])]).distance(Target::Point(pair[1])).unwrap());
     let length: f64 = pieces(&mesh, &curve).iter().map(|&[a, b]| euclid(a, b)).sum();
     assert!((length - ways.sum::<f64>()).abs() < 1e-12);
     for (i, pair) in curve.points.windows(2).enumerate() {
@@ -616,7 +619,7 @@ fn real_meshes() {
         check_against_samples(&mesh, &longest, 8, name);
         let field = from_curve(&mesh, &longest);
         for v in (0..mesh.vertex_count() as u32).step_by(1 + mesh.vertex_count() / 500) {
-            if let Some(path) = field.path_from_vertex(v).unwrap() {
+            if let Some(path) = field.path(Target::Vertex(v)).unwrap() {
                 check_path(&mesh, &path, field.distances()[v as usize], &format!("{name}, vertex {v}"));
             }
         }

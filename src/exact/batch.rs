@@ -9,15 +9,19 @@
 
 use super::stop::Stop;
 use super::window::{Mixed, Rays, Spreading};
-use super::{ExactOptions, ExactSolver, Front, Prepared, check_radius, has_curves};
+use super::{ExactSolver, Front, Prepared, check_radius, has_curves};
 use crate::control::{Control, Piece};
-use crate::error::Result;
+use crate::error::{Element, Result};
+use crate::mesh::Mesh;
 use crate::surface::point::Place;
 use crate::surface::source::{Origin, Seed, Source};
 use std::num::NonZero;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
+
+/// More threads than this are not started, whatever is asked for.
+const MOST_THREADS: usize = 1024;
 
 /// Distances within a radius, row by row: those of each source to the vertices near it.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,13 +61,14 @@ impl ExactSolver {
     /// The distances of every vertex from each of several sets of sources: one row per set, each as
     /// [`ExactSolver::field`] gives it.
     ///
-    /// 0 `threads` are as many as the machine has. Progress counts rows; a memory limit holds for each thread.
+    /// 0 `threads` are as many as the machine has; more than 1024 are never started. Progress counts rows; a memory limit
+    /// holds for each thread, without the rows.
     ///
     /// # Errors
-    /// As [`ExactSolver::field`]; the source's number is that in its set.
+    /// As [`ExactSolver::field`]; sources are counted through all sets.
     pub fn distance_rows(&self, sets: &[Vec<Source>], threads: usize, control: &Control) -> Result<Vec<Vec<f64>>> {
         let mesh = &self.0.mesh;
-        let sets = sets.iter().map(|set| Source::checked(set, mesh)).collect::<Result<Vec<_>>>()?;
+        let sets = checked_sets(sets, mesh)?;
         match has_curves(sets.iter().flatten()) {
             false => self.0.distance_rows::<Spreading>(&sets, threads, control),
             true => self.0.distance_rows::<Mixed>(&sets, threads, control),
@@ -73,8 +78,8 @@ impl ExactSolver {
     /// The distances up to `radius` from each of several sources, in mesh units: one row per source, start distances
     /// included, with the vertices that it reaches.
     ///
-    /// 0 `threads` are as many as the machine has. The work and the memory grow with what is reached, not with the mesh.
-    /// Progress counts rows; a memory limit holds for each thread.
+    /// 0 `threads` are as many as the machine has; more than 1024 are never started. The work and the memory grow with what
+    /// is reached, not with the mesh. Progress counts rows; a memory limit holds for each thread, without the rows.
     ///
     /// # Errors
     /// As [`ExactSolver::field`].
@@ -86,7 +91,10 @@ impl ExactSolver {
         control: &Control,
     ) -> Result<SparseDistances> {
         check_radius(radius)?;
-        let seeds = Source::checked(sources, &self.0.mesh)?;
+        let seeds = match sources {
+            [] => Vec::new(),
+            _ => Source::checked(sources, &self.0.mesh)?,
+        };
         let rows = match has_curves(&seeds) {
             false => self.0.near_rows::<Spreading>(&seeds, radius, threads, control)?,
             true => self.0.near_rows::<Mixed>(&seeds, radius, threads, control)?,
@@ -102,7 +110,7 @@ impl ExactSolver {
 
     /// Farthest point sampling: up to `count` vertices, each the farthest one from all `first` and from those before it,
     /// with that distance in mesh units; +inf for the first in a component without any. Of equally far ones it takes the
-    /// first. Fewer where all vertices of triangles are taken.
+    /// first. Fewer where no vertex of a triangle is farther than 0: all are taken, or have start distances below 0.
     ///
     /// The first sample costs as much as a field, each further one about as much as the area that it takes.
     ///
@@ -117,12 +125,25 @@ impl ExactSolver {
     }
 }
 
+/// The sources of each set; errors count through all sets.
+fn checked_sets(sets: &[Vec<Source>], mesh: &Mesh) -> Result<Vec<Vec<Seed>>> {
+    let mut before = 0;
+    let checked = |set: &Vec<Source>| {
+        let seeds = Source::checked(set, mesh).map_err(|error| match error.element() {
+            Some(Element::Source(i)) => error.about(Element::Source(before + i)),
+            _ => error,
+        });
+        before += set.len() as u64;
+        seeds
+    };
+    sets.iter().map(checked).collect()
+}
+
 impl Prepared {
     /// The distances of all vertices from each set.
     fn distance_rows<R: Rays>(&self, sets: &[Vec<Seed>], threads: usize, control: &Control) -> Result<Vec<Vec<f64>>> {
-        let options = ExactOptions::default();
         self.rows(sets.len(), threads, control, |front: &mut Front<R>, row, control| {
-            let (units, _, ended) = self.propagate(front, &sets[row], &options, control);
+            let (units, _, ended) = self.propagate(front, &sets[row], f64::INFINITY, &[], control);
             ended?;
             Ok((0..).take(self.mesh.vertex_count()).map(|v| units.to_mesh(front.label(v))).collect())
         })
@@ -136,9 +157,8 @@ impl Prepared {
         threads: usize,
         control: &Control,
     ) -> Result<Vec<Vec<(u32, f64)>>> {
-        let options = ExactOptions { radius, ..ExactOptions::default() };
         self.rows(seeds.len(), threads, control, |front: &mut Front<R>, row, control| {
-            let (units, _, ended) = self.propagate(front, &seeds[row..=row], &options, control);
+            let (units, _, ended) = self.propagate(front, &seeds[row..=row], radius, &[], control);
             ended?;
             let near = front.reached().iter().map(|&v| (v, units.to_mesh(front.label(v))));
             let mut near: Vec<(u32, f64)> = near.filter(|&(_, distance)| distance <= radius).collect();
@@ -149,30 +169,32 @@ impl Prepared {
 
     fn farthest_points<R: Rays>(&self, seeds: &[Seed], count: usize, control: &Control) -> Result<Vec<(u32, f64)>> {
         let mut front = Front::<R>::new(self);
-        let share = |done: usize| done as f64 / (count as f64 + 1.0);
+        let share = |done: usize| done as f64 / count as f64;
         // Samples start at 0, which must not be below the least start distance.
         let least = seeds.iter().map(|seed| seed.offset).fold(0.0, f64::min);
         let units = self.begin(&mut front, seeds, least);
+        let nothing = units.scale.to_unit(-least); // the label of a sample
         let mut sources = seeds.len() as u32; // fits: sources are numbered by u32
         let mut samples = Vec::new();
-        loop {
+        while samples.len() < count {
             let piece = Piece::between(control, share(samples.len()), share(samples.len() + 1));
             front.run(&mut Stop::new(units, f64::INFINITY, &[]), piece).1?;
-            let Some((v, distance)) = self.farthest(&front).filter(|_| samples.len() < count) else { break };
-            samples.push((v, units.to_mesh(distance)));
-            front.start(&Origin::Place(Place::Vertex(v)), units.scale.to_unit(-least), sources);
+            let Some((v, label)) = self.farthest(&front, nothing) else { break };
+            samples.push((v, units.to_mesh(label)));
+            front.start(&Origin::Place(Place::Vertex(v)), nothing, sources);
             sources = sources.saturating_add(1);
         }
+        control.report(1.0);
         Ok(samples)
     }
 
-    /// The vertex of a triangle with the largest label, if one is farther than 0 from all sources.
-    fn farthest<R: Rays>(&self, front: &Front<R>) -> Option<(u32, f64)> {
+    /// The vertex of a triangle with the largest label, if one has more than `nothing`.
+    fn farthest<R: Rays>(&self, front: &Front<R>, nothing: f64) -> Option<(u32, f64)> {
         let corners = &self.mesh.topology().corners;
         let on_surface = (0..corners.rows()).filter(|&v| !corners.row(v).is_empty());
         let farther = |best: Option<(u32, f64)>, v: u32| {
             let label = front.label(v);
-            if label > best.map_or(0.0, |(_, label)| label) { Some((v, label)) } else { best }
+            if label > best.map_or(nothing, |(_, label)| label) { Some((v, label)) } else { best }
         };
         on_surface.fold(None, farther)
     }
@@ -186,6 +208,7 @@ impl Prepared {
         row: impl Fn(&mut Front<R>, usize, Piece) -> Result<Row> + Sync,
     ) -> Result<Vec<Row>> {
         let threads = if threads == 0 { thread::available_parallelism().map_or(1, NonZero::get) } else { threads };
+        let threads = threads.min(MOST_THREADS).min(count);
         let (next, done, is_over) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicBool::new(false));
         let work = |is_caller: bool| {
             let mut front = Front::new(self);
@@ -212,7 +235,7 @@ impl Prepared {
         let mut rows = thread::scope(|scope| {
             // Where the system gives no more threads, those that there are do all.
             let spawn = |_| thread::Builder::new().spawn_scoped(scope, || work(false)).ok();
-            let others: Vec<_> = (1..threads.min(count)).map_while(spawn).collect();
+            let others: Vec<_> = (1..threads).map_while(spawn).collect();
             let mut rows = work(true);
             for other in others {
                 rows.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
@@ -220,6 +243,8 @@ impl Prepared {
             rows
         });
         rows.sort_unstable_by_key(|&(i, _)| i);
-        rows.into_iter().map(|(_, row)| row).collect()
+        let rows = rows.into_iter().map(|(_, row)| row).collect::<Result<_>>()?;
+        control.report(1.0);
+        Ok(rows)
     }
 }

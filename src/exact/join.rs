@@ -3,16 +3,16 @@
 use super::{ExactOptions, ExactSolver};
 use crate::control::Control;
 use crate::error::{Element, Error, Reason, Result};
-use crate::metric::distance;
 use crate::surface::curve::{Curve, Segment};
 use crate::surface::point::SurfacePoint;
 use crate::surface::source::Source;
+use crate::surface::target::Target;
 
 impl ExactSolver {
     /// The open curve that goes through points in their order: straight from one to the next where a triangle holds both,
     /// else along a shortest path. Of points that follow each other at one place it has one.
     ///
-    /// A straight piece costs nothing, a path a part of a field: as far as twice the way in space, or the whole of it.
+    /// A straight piece costs nothing, a path a part of a field: as far as the next point.
     ///
     /// # Errors
     /// [`Reason::BadArgument`] naming the point that the mesh does not have, or to which no way leads from the one before
@@ -39,13 +39,9 @@ impl ExactSolver {
 
     /// The shortest path from one checked point to another.
     fn shortest(&self, from: &SurfacePoint, to: &SurfacePoint, control: &Control) -> Result<Option<Vec<SurfacePoint>>> {
-        let [start, end] = [from.position(&self.0.mesh)?, to.position(&self.0.mesh)?];
-        for radius in [2.0 * distance(start, end), f64::INFINITY] {
-            let options = ExactOptions { radius, keep_windows: true, ..ExactOptions::default() };
-            if let Some(path) = self.field(&[Source::point(*to)], &options, control)?.path(from)? {
-                return Ok(Some(path.points));
-            }
-        }
-        Ok(None)
+        let target = Target::Point(*from);
+        let options = ExactOptions { targets: vec![target], keep_windows: true, ..ExactOptions::default() };
+        let path = self.field(&[Source::point(*to)], &options, control)?.path(target)?;
+        Ok(path.map(|path| path.points))
     }
 }

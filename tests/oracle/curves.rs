@@ -4,7 +4,7 @@
 
 use super::cases;
 use super::soups::{KINDS, Random, Soup, needles, soup};
-use taut::{Control, Curve, ExactField, ExactOptions, ExactSolver, Mesh, Reason, Source, SurfacePoint};
+use taut::{Control, Curve, ExactField, ExactOptions, ExactSolver, Mesh, Reason, Source, SurfacePoint, Target};
 
 fn field(solver: &ExactSolver, source: Source) -> ExactField {
     let options = ExactOptions { keep_windows: true, ..ExactOptions::default() };
@@ -154,7 +154,7 @@ fn lost_paths(soup: &Soup, curve: &Curve) -> usize {
     let field = field(&ExactSolver::new(&mesh).unwrap(), Source::curve(curve.clone()));
     let mut lost = 0;
     for (v, &distance) in (0..).zip(field.distances()).filter(|(_, d)| d.is_finite()) {
-        let path = match field.path_from_vertex(v) {
+        let path = match field.path(Target::Vertex(v)) {
             Ok(path) => path.unwrap(),
             Err(error) => {
                 assert_eq!(error.reason(), Reason::PathLost);
