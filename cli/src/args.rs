@@ -57,7 +57,7 @@ pub(crate) struct SourceArgs {
     ///   V                   a vertex
     ///   F W0 W1 W2          a point of triangle F by the weights of its corners
     ///   X Y Z               the point of the surface nearest to this one
-    /// Points that follow each other are joined within a triangle, or else by a shortest path. What
+    /// Points that follow each other are joined within a triangle or by a shortest path. What
     /// `taut path` prints are such curves; of an .obj file, as `taut path` and `taut isolines`
     /// write, each polyline is one.
     /// The exact method knows such sources, the heat method does not
