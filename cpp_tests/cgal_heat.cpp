@@ -45,7 +45,8 @@ static std::vector<double> taut_distances(const Peers &peers, taut_laplacian lap
     taut_heat *heat = nullptr;
     check(taut_heat_new(peers.taut.get(), &options, nullptr, &heat));
     const Handle<taut_heat> owner(heat, taut_heat_free);
-    const taut_sources sources = from_vertex(source);
+    const std::vector<std::uint32_t> vertices{source};
+    const taut_sources sources = from_vertices(vertices);
     std::vector<double> distances(peers.vertex_count());
     const taut_output out{distances.data(), distances.size(), 0, TAUT_TYPE_F64};
     check(taut_heat_distances(heat, &sources, nullptr, out));
@@ -70,7 +71,7 @@ const double HEAT_ERROR = 4e-2;
 template <class Mode>
 static bool agree(const char *name, const Peers &peers, taut_laplacian laplacian, double e) {
     const std::uint32_t source = static_cast<std::uint32_t>(peers.vertex_count() / 3);
-    const auto exact = exact_distances(peers, source);
+    const auto exact = exact_distances(peers, {source});
     const auto theirs = cgal_distances<Mode>(peers.cgal, source);
     const auto ours = taut_distances(peers, laplacian, e * e, source);
     const double gap = mean_difference(ours, theirs), error = mean_difference(ours, exact);

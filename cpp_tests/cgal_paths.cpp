@@ -78,9 +78,7 @@ static std::vector<std::vector<Kernel::Point_3>> polylines(const taut_curves *cu
 }
 
 static Answers our_answers(const Peers &peers, const Places &from, const Places &to) {
-    taut_exact *exact = nullptr;
-    check(taut_exact_new(peers.taut.get(), &exact));
-    const Handle<taut_exact> exact_owner(exact, taut_exact_free);
+    const Handle<taut_exact> exact = prepared(peers);
     taut_sources sources = {};
     sources.struct_size = sizeof sources;
     sources.faces = from.face_rows();
@@ -89,16 +87,20 @@ static Answers our_answers(const Peers &peers, const Places &from, const Places 
     options.struct_size = sizeof options;
     options.keep_windows = 1;
     taut_exact_field *field = nullptr;
-    check(taut_exact_field_new(exact, &sources, &options, nullptr, &field));
+    check(taut_exact_field_new(exact.get(), &sources, &options, nullptr, &field));
     const Handle<taut_exact_field> field_owner(field, taut_exact_field_free);
 
     Answers answers{std::vector<double>(to.count()), std::vector<std::int32_t>(to.count()), {}};
-    check(taut_exact_field_point_distances(field, to.face_rows(), to.barycentric_rows(),
-                                           taut_output{answers.distances.data(), to.count(), 0, TAUT_TYPE_F64}));
-    check(taut_exact_field_point_nearest_sources(field, to.face_rows(), to.barycentric_rows(),
-                                                 taut_output{answers.nearest.data(), to.count(), 0, TAUT_TYPE_I32}));
+    taut_targets targets = {};
+    targets.struct_size = sizeof targets;
+    targets.faces = to.face_rows();
+    targets.barycentrics = to.barycentric_rows();
+    check(taut_exact_field_distances(field, &targets,
+                                     taut_output{answers.distances.data(), to.count(), 0, TAUT_TYPE_F64}));
+    check(taut_exact_field_nearest_sources(field, &targets,
+                                           taut_output{answers.nearest.data(), to.count(), 0, TAUT_TYPE_I32}));
     taut_curves *curves = nullptr;
-    check(taut_exact_field_point_paths(field, to.face_rows(), to.barycentric_rows(), &curves));
+    check(taut_exact_field_paths(field, &targets, nullptr, &curves));
     const Handle<taut_curves> curves_owner(curves, taut_curves_free);
     answers.paths = polylines(curves);
     return answers;

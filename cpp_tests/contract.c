@@ -35,6 +35,10 @@ static const uint32_t zero = 0;
 /* Of each vertex, its distance along x; none for the last. */
 static const double along_x[] = {0, 3, 3, 0, INFINITY};
 static const taut_input values = {.data = along_x, .count = 5};
+/* Targets in a call. */
+#define VERTICES(v) (&(const taut_targets){.struct_size = sizeof(taut_targets), .vertices = (v)})
+#define POINTS(f, b) (&(const taut_targets){.struct_size = sizeof(taut_targets), .faces = (f), .barycentrics = (b)})
+
 static const taut_sources from_zero = {.struct_size = sizeof from_zero, .vertices = {.data = &zero, .count = 1}};
 
 static taut_mesh *rectangle(void) {
@@ -54,7 +58,7 @@ static taut_exact *exact_rectangle(void) {
 static taut_status field_of(const taut_exact *exact, const taut_sources *sources, double *d) {
     taut_exact_field *field = NULL;
     taut_status status = taut_exact_field_new(exact, sources, NULL, NULL, &field);
-    if (!status) status = taut_exact_field_distances(field, (taut_output){.data = d, .count = 5});
+    if (!status) status = taut_exact_field_distances(field, NULL, (taut_output){.data = d, .count = 5});
     taut_exact_field_free(field);
     return status;
 }
@@ -128,7 +132,7 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_mesh_ignored_triangles(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_exact_new(NULL, &exact), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_exact_field_new(NULL, &from_zero, NULL, NULL, &field), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_field_distances(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_field_distances(NULL, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_heat_new(NULL, NULL, NULL, &heat), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_heat_with_time_step(NULL, step, NULL, &heat), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_heat_distances(NULL, &from_zero, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -138,13 +142,8 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_control_set_memory_limit(NULL, 1), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_control_set_callback(NULL, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_exact_field_interruption(NULL), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_field_nearest_sources(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_field_point_distances(NULL, triangles, positions, out), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_field_point_nearest_sources(NULL, triangles, positions, out), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_field_paths(NULL, triangles, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK(curves == NULL);
-    curves = (taut_curves *)&failures;
-    CHECK_FAILS(taut_exact_field_point_paths(NULL, triangles, positions, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_field_nearest_sources(NULL, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_field_paths(NULL, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(curves == NULL);
     curves = (taut_curves *)&failures;
     CHECK_FAILS(taut_isolines_new(NULL, values, values, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -324,7 +323,7 @@ static void strided_output(void) {
     CHECK(taut_exact_field_new(exact, &from_zero, NULL, NULL, &field) == TAUT_STATUS_OK);
     taut_exact_free(exact); /* before the field that was made from it */
     const taut_output out = {.data = bytes + 1, .count = 6, .stride = GAP, .type = TAUT_TYPE_F32};
-    CHECK(taut_exact_field_distances(field, out) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_distances(field, NULL, out) == TAUT_STATUS_OK);
     CHECK(bytes[0] == 0xab);
     for (size_t v = 0; v < 5; v++) {
         CHECK(memcmp(bytes + 1 + v * GAP, expected + v, sizeof(float)) == 0);
@@ -334,13 +333,13 @@ static void strided_output(void) {
 
     /* All or nothing. */
     double d[5] = {-1, -1, -1, -1, -1};
-    CHECK_FAILS(taut_exact_field_distances(field, (taut_output){.data = d, .count = 4}), TAUT_REASON_BUFFER_TOO_SMALL,
+    CHECK_FAILS(taut_exact_field_distances(field, NULL, (taut_output){.data = d, .count = 4}), TAUT_REASON_BUFFER_TOO_SMALL,
                 0, 0);
-    CHECK_FAILS(taut_exact_field_distances(field, (taut_output){.data = d, .count = 5, .stride = 4}),
+    CHECK_FAILS(taut_exact_field_distances(field, NULL, (taut_output){.data = d, .count = 5, .stride = 4}),
                 TAUT_REASON_BAD_ARGUMENT, 0, 0);
-    CHECK_FAILS(taut_exact_field_distances(field, (taut_output){.data = d, .count = 5, .type = TAUT_TYPE_I32}),
+    CHECK_FAILS(taut_exact_field_distances(field, NULL, (taut_output){.data = d, .count = 5, .type = TAUT_TYPE_I32}),
                 TAUT_REASON_BAD_ARGUMENT, 0, 0);
-    CHECK(taut_exact_field_distances(field, (taut_output){.data = d, .count = 5, .stride = SIZE_MAX / 2}) ==
+    CHECK(taut_exact_field_distances(field, NULL, (taut_output){.data = d, .count = 5, .stride = SIZE_MAX / 2}) ==
           TAUT_STATUS_TOO_LARGE);
     for (size_t v = 0; v < 5; v++) CHECK(d[v] == -1);
     taut_exact_field_free(field);
@@ -413,22 +412,47 @@ static void targets(void) {
     taut_exact *exact = exact_rectangle();
     taut_exact_field *field = NULL;
     const uint16_t near[] = {1}, beyond[] = {1, 5};
+    const uint32_t face = 0, no_face = 2;
+    const double middle[] = {0.5, 0.25, 0.25};
     double d[5];
-    taut_exact_options options = {.struct_size = sizeof options};
-    options.targets = (taut_input){.data = beyond, .count = 2, .type = TAUT_TYPE_U16};
+    taut_targets to = {.struct_size = sizeof to, .vertices = {.data = beyond, .count = 2, .type = TAUT_TYPE_U16}};
+    taut_exact_options options = {.struct_size = sizeof options, .targets = &to};
     CHECK_FAILS(taut_exact_field_new(exact, &from_zero, &options, NULL, &field), TAUT_REASON_VERTEX_OUT_OF_RANGE,
                 TAUT_ELEMENT_TARGET, 1);
     CHECK(field == NULL);
-    options.targets = (taut_input){.data = near, .count = 1, .type = TAUT_TYPE_U16};
+    to.vertices = (taut_input){.data = near, .count = 1, .type = TAUT_TYPE_U16};
     CHECK(taut_exact_field_new(exact, &from_zero, &options, NULL, &field) == TAUT_STATUS_OK);
     CHECK(taut_exact_field_final_radius(field) >= 3);
-    CHECK(taut_exact_field_distances(field, (taut_output){.data = d, .count = 5}) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_distances(field, NULL, (taut_output){.data = d, .count = 5}) == TAUT_STATUS_OK);
     CHECK(d[0] == 0 && d[1] == 3);
     taut_exact_field_free(field);
-    options.targets = (taut_input){0};
+
+    /* A point comes after the vertices; it is 1.25 away. */
+    to.faces = (taut_input){.data = &no_face, .count = 1};
+    to.barycentrics = (taut_input){.data = middle, .count = 1};
+    CHECK_FAILS(taut_exact_field_new(exact, &from_zero, &options, NULL, &field), TAUT_REASON_BAD_ARGUMENT,
+                TAUT_ELEMENT_TARGET, 1);
+    to.barycentrics.count = 0;
+    CHECK_FAILS(taut_exact_field_new(exact, &from_zero, &options, NULL, &field), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(strstr(taut_last_error(NULL), "options.targets.barycentrics") != NULL);
+    to.barycentrics.count = 1;
+    to.faces.data = &face;
+    to.vertices.count = 0;
+    options.keep_windows = 1;
+    CHECK(taut_exact_field_new(exact, &from_zero, &options, NULL, &field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_final_radius(field) >= 1.25);
+    CHECK(taut_exact_field_distances(field, &to, (taut_output){.data = d, .count = 1}) == TAUT_STATUS_OK);
+    CHECK(d[0] == 1.25 && d[1] == 3);
+    taut_exact_field_free(field);
+
+    /* None at all means every vertex; a struct without room for its size is refused. */
+    to = (taut_targets){.struct_size = sizeof to};
     CHECK(taut_exact_field_new(exact, &from_zero, &options, NULL, &field) == TAUT_STATUS_OK);
     CHECK(taut_exact_field_final_radius(field) == INFINITY);
     taut_exact_field_free(field);
+    to.struct_size = 1;
+    CHECK_FAILS(taut_exact_field_new(exact, &from_zero, &options, NULL, &field), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(strstr(taut_last_error(NULL), "options.targets.struct_size") != NULL);
     taut_exact_free(exact);
 }
 
@@ -466,7 +490,7 @@ static void a_radius(void) {
     taut_exact_options options = {.struct_size = sizeof options, .radius = 4};
     CHECK(taut_exact_field_new(exact, &from_zero, &options, NULL, &field) == TAUT_STATUS_OK);
     CHECK(taut_exact_field_final_radius(field) == 4 && taut_exact_field_interruption(field) == TAUT_STATUS_OK);
-    CHECK(taut_exact_field_distances(field, (taut_output){.data = d, .count = 5}) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_distances(field, NULL, (taut_output){.data = d, .count = 5}) == TAUT_STATUS_OK);
     CHECK(d[0] == 0 && d[1] == 3 && d[2] == INFINITY && d[3] == 4 && d[4] == INFINITY);
     taut_exact_field_free(field);
     options.struct_size = offsetof(taut_exact_options, radius); /* an older caller */
@@ -546,7 +570,8 @@ static void check_interrupted(job *it, taut_status why) {
         size_t known = 0;
         CHECK(it->status == TAUT_STATUS_OK && taut_exact_field_interruption(it->field) == why);
         CHECK(radius < INFINITY);
-        CHECK(taut_exact_field_distances(it->field, (taut_output){.data = d, .count = HILL_VERTICES}) == TAUT_STATUS_OK);
+        CHECK(taut_exact_field_distances(it->field, NULL, (taut_output){.data = d, .count = HILL_VERTICES}) ==
+              TAUT_STATUS_OK);
         for (size_t v = 0; v < HILL_VERTICES; v++) {
             CHECK(d[v] <= radius || d[v] == INFINITY);
             known += d[v] < INFINITY;
@@ -1023,6 +1048,10 @@ static taut_input indices(const uint32_t *data, size_t count) { return (taut_inp
 
 static taut_output room(double *data, size_t count) { return (taut_output){.data = data, .count = count}; }
 
+static taut_output typed(void *data, size_t count, taut_type type) {
+    return (taut_output){.data = data, .count = count, .type = type};
+}
+
 static taut_exact_field *field_with(const taut_sources *sources, const taut_exact_options *options) {
     taut_exact *exact = exact_rectangle();
     taut_exact_field *field = NULL;
@@ -1101,18 +1130,18 @@ static void nearest_sources(void) {
     uint64_t u64[5];
     int32_t i32[5];
     int64_t i64[5];
-    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = u16, .count = 5, .type = TAUT_TYPE_U16}) == 0);
-    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = u32, .count = 5}) == 0);
-    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = u64, .count = 5, .type = TAUT_TYPE_U64}) == 0);
-    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = i32, .count = 5, .type = TAUT_TYPE_I32}) == 0);
-    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = i64, .count = 5, .type = TAUT_TYPE_I64}) == 0);
+    CHECK(taut_exact_field_nearest_sources(field, NULL, typed(u16, 5, TAUT_TYPE_U16)) == 0);
+    CHECK(taut_exact_field_nearest_sources(field, NULL, (taut_output){.data = u32, .count = 5}) == 0);
+    CHECK(taut_exact_field_nearest_sources(field, NULL, typed(u64, 5, TAUT_TYPE_U64)) == 0);
+    CHECK(taut_exact_field_nearest_sources(field, NULL, typed(i32, 5, TAUT_TYPE_I32)) == 0);
+    CHECK(taut_exact_field_nearest_sources(field, NULL, typed(i64, 5, TAUT_TYPE_I64)) == 0);
     const int expected[] = {1, 1, 0, 0};
     for (size_t v = 0; v < 4; v++) {
         CHECK(u16[v] == expected[v] && u32[v] == u16[v] && u64[v] == u16[v] && i32[v] == u16[v] && i64[v] == u16[v]);
     }
     CHECK(u16[4] == UINT16_MAX && u32[4] == UINT32_MAX && u64[4] == UINT64_MAX && i32[4] == -1 && i64[4] == -1);
     u32[0] = 77;
-    CHECK_FAILS(taut_exact_field_nearest_sources(field, (taut_output){.data = u32, .count = 4}),
+    CHECK_FAILS(taut_exact_field_nearest_sources(field, NULL, (taut_output){.data = u32, .count = 4}),
                 TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     CHECK(u32[0] == 77);
     taut_exact_field_free(field);
@@ -1126,10 +1155,10 @@ static void nearest_sources(void) {
         .struct_size = sizeof many, .vertices = indices(same, MANY), .offsets = scalars(offsets, MANY)};
     field = field_with(&many, NULL);
     u16[0] = 77;
-    CHECK_FAILS(taut_exact_field_nearest_sources(field, (taut_output){.data = u16, .count = 5, .type = TAUT_TYPE_U16}),
+    CHECK_FAILS(taut_exact_field_nearest_sources(field, NULL, typed(u16, 5, TAUT_TYPE_U16)),
                 TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK(u16[0] == 77);
-    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = i32, .count = 5, .type = TAUT_TYPE_I32}) == 0);
+    CHECK(taut_exact_field_nearest_sources(field, NULL, typed(i32, 5, TAUT_TYPE_I32)) == 0);
     CHECK(i32[0] == MANY - 1 && i32[2] == MANY - 1 && i32[4] == -1);
     taut_exact_field_free(field);
     free(same);
@@ -1144,15 +1173,16 @@ static void points_of_a_field(void) {
     const uint32_t ends[] = {4, 0};
     const taut_sources from = {.struct_size = sizeof from, .vertices = indices(ends, 2)};
     const taut_input faces = indices(two_faces, 2), weights = scalars(two_weights, 2);
+    const taut_targets *both = POINTS(faces, weights);
     taut_exact_field *field = field_with(&from, &keeping);
     double d[2] = {-1, -1};
     int32_t nearest[2] = {77, 77};
     const taut_output out = room(d, 2), numbers = {.data = nearest, .count = 2, .type = TAUT_TYPE_I32};
-    CHECK(taut_exact_field_point_distances(field, faces, weights, out) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_distances(field, both, out) == TAUT_STATUS_OK);
     CHECK(d[0] == 5 && fabs(d[1] - 3.75) < 1e-15);
-    CHECK(taut_exact_field_point_nearest_sources(field, faces, weights, numbers) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_nearest_sources(field, both, numbers) == TAUT_STATUS_OK);
     CHECK(nearest[0] == 1 && nearest[1] == 1);
-    CHECK(taut_exact_field_point_distances(field, (taut_input){0}, (taut_input){0}, (taut_output){0}) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_distances(field, VERTICES((taut_input){0}), (taut_output){0}) == TAUT_STATUS_OK);
 
     /* Any packing: a face of 16 bits beside its weights as floats. */
     struct {
@@ -1160,11 +1190,25 @@ static void points_of_a_field(void) {
         float weights[3];
     } packed = {1, {0.25f, 0.5f, 0.25f}};
     float single = -1;
-    CHECK(taut_exact_field_point_distances(
-              field, (taut_input){.data = &packed.face, .count = 1, .stride = sizeof packed, .type = TAUT_TYPE_U16},
-              (taut_input){.data = packed.weights, .count = 1, .stride = sizeof packed, .type = TAUT_TYPE_F32},
-              (taut_output){.data = &single, .count = 1, .type = TAUT_TYPE_F32}) == TAUT_STATUS_OK);
+    const taut_targets to = {
+        .struct_size = sizeof to,
+        .faces = {.data = &packed.face, .count = 1, .stride = sizeof packed, .type = TAUT_TYPE_U16},
+        .barycentrics = {.data = packed.weights, .count = 1, .stride = sizeof packed, .type = TAUT_TYPE_F32}};
+    CHECK(taut_exact_field_distances(field, &to, (taut_output){.data = &single, .count = 1, .type = TAUT_TYPE_F32}) ==
+          TAUT_STATUS_OK);
     CHECK(single == 3.75f);
+
+    /* Vertices come first. */
+    double mixed[4];
+    int32_t mixed_nearest[4];
+    const uint32_t vertices[] = {3, 4};
+    const taut_targets all = {
+        .struct_size = sizeof all, .vertices = indices(vertices, 2), .faces = faces, .barycentrics = weights};
+    CHECK(taut_exact_field_distances(field, &all, room(mixed, 4)) == TAUT_STATUS_OK);
+    CHECK(mixed[0] == 4 && mixed[1] == 0 && mixed[2] == 5 && fabs(mixed[3] - 3.75) < 1e-15);
+    CHECK(taut_exact_field_nearest_sources(
+              field, &all, typed(mixed_nearest, 4, TAUT_TYPE_I32)) == TAUT_STATUS_OK);
+    CHECK(mixed_nearest[0] == 1 && mixed_nearest[1] == 0 && mixed_nearest[2] == 1 && mixed_nearest[3] == 1);
 
     /* All or nothing. */
     const uint32_t beyond[] = {1, 2};
@@ -1173,19 +1217,19 @@ static void points_of_a_field(void) {
     const taut_input wide = {.data = far_beyond, .count = 2, .type = TAUT_TYPE_U64};
     d[0] = d[1] = -1;
     nearest[0] = nearest[1] = 77;
-    CHECK_FAILS(taut_exact_field_point_distances(field, indices(beyond, 2), weights, out), TAUT_REASON_BAD_ARGUMENT,
-                TAUT_ELEMENT_POINT, 1);
-    CHECK_FAILS(taut_exact_field_point_distances(field, wide, weights, out), TAUT_REASON_BAD_ARGUMENT,
-                TAUT_ELEMENT_POINT, 1);
-    CHECK_FAILS(taut_exact_field_point_nearest_sources(field, faces, scalars(heavy, 2), numbers),
-                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 1);
-    CHECK_FAILS(taut_exact_field_point_distances(field, faces, scalars(two_weights, 1), out), TAUT_REASON_BAD_ARGUMENT,
+    CHECK_FAILS(taut_exact_field_distances(field, POINTS(indices(beyond, 2), weights), out), TAUT_REASON_BAD_ARGUMENT,
+                TAUT_ELEMENT_TARGET, 1);
+    CHECK_FAILS(taut_exact_field_distances(field, POINTS(wide, weights), out), TAUT_REASON_BAD_ARGUMENT,
+                TAUT_ELEMENT_TARGET, 1);
+    CHECK_FAILS(taut_exact_field_nearest_sources(field, POINTS(faces, scalars(heavy, 2)), numbers),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_TARGET, 1);
+    CHECK_FAILS(taut_exact_field_distances(field, POINTS(faces, scalars(two_weights, 1)), out), TAUT_REASON_BAD_ARGUMENT,
                 0, 0);
-    CHECK_FAILS(taut_exact_field_point_distances(field, faces, (taut_input){.count = 2}, out), TAUT_REASON_NULL_POINTER,
+    CHECK_FAILS(taut_exact_field_distances(field, POINTS(faces, (taut_input){.count = 2}), out), TAUT_REASON_NULL_POINTER,
                 0, 0);
-    CHECK(strstr(taut_last_error(NULL), "`barycentrics.data`") != NULL);
-    CHECK_FAILS(taut_exact_field_point_distances(field, faces, weights, room(d, 1)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
-    CHECK_FAILS(taut_exact_field_point_nearest_sources(field, faces, weights, (taut_output){.data = nearest, .count = 1}),
+    CHECK(strstr(taut_last_error(NULL), "`targets.barycentrics.data`") != NULL);
+    CHECK_FAILS(taut_exact_field_distances(field, both, room(d, 1)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_exact_field_nearest_sources(field, both, (taut_output){.data = nearest, .count = 1}),
                 TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     taut_exact_field_free(field);
 
@@ -1193,12 +1237,12 @@ static void points_of_a_field(void) {
     taut_exact_options older = keeping;
     older.struct_size = offsetof(taut_exact_options, keep_windows);
     field = field_with(&from, &older);
-    CHECK_FAILS(taut_exact_field_point_distances(field, faces, weights, out), TAUT_REASON_BAD_ARGUMENT,
-                TAUT_ELEMENT_POINT, 1);
-    CHECK_FAILS(taut_exact_field_point_nearest_sources(field, faces, weights, numbers), TAUT_REASON_BAD_ARGUMENT,
-                TAUT_ELEMENT_POINT, 1);
+    CHECK_FAILS(taut_exact_field_distances(field, both, out), TAUT_REASON_BAD_ARGUMENT,
+                TAUT_ELEMENT_TARGET, 1);
+    CHECK_FAILS(taut_exact_field_nearest_sources(field, both, numbers), TAUT_REASON_BAD_ARGUMENT,
+                TAUT_ELEMENT_TARGET, 1);
     CHECK(d[0] == -1 && d[1] == -1 && nearest[0] == 77 && nearest[1] == 77);
-    CHECK(taut_exact_field_point_distances(field, indices(two_faces, 1), scalars(two_weights, 1), out) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_distances(field, POINTS(indices(two_faces, 1), scalars(two_weights, 1)), out) == 0);
     CHECK(d[0] == 5 && d[1] == -1);
     taut_exact_field_free(field);
 }
@@ -1231,7 +1275,7 @@ static void paths(void) {
     const uint32_t targets[] = {2, 0, 4, 1}, beyond[] = {0, 5};
     const int32_t negative[] = {0, -1};
     taut_curves *curves = NULL;
-    CHECK(taut_exact_field_paths(field, indices(targets, 4), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_paths(field, VERTICES(indices(targets, 4)), NULL, &curves) == TAUT_STATUS_OK);
     CHECK(taut_curves_count(curves) == 4 && taut_curves_point_count(curves) == 6);
     drawing it = drawn(curves);
     CHECK(it.offsets[0] == 0 && it.offsets[1] == 3 && it.offsets[2] == 4 && it.offsets[3] == 4 && it.offsets[4] == 6);
@@ -1241,7 +1285,8 @@ static void paths(void) {
     CHECK(is_at(it.positions + 9, 0, 0));
     CHECK(is_at(it.positions + 12, 3, 0) && is_at(it.positions + 15, 0, 0));
 
-    CHECK(taut_exact_field_point_paths(field, indices(two_faces, 2), scalars(two_weights, 2), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_paths(field, POINTS(indices(two_faces, 2), scalars(two_weights, 2)), NULL, &curves) ==
+          TAUT_STATUS_OK);
     CHECK(taut_curves_count(curves) == 2 && taut_curves_point_count(curves) == 6);
     it = drawn(curves);
     CHECK(it.offsets[1] == 3 && it.offsets[2] == 6);
@@ -1249,15 +1294,16 @@ static void paths(void) {
     CHECK(is_at(it.positions + 9, 2.25, 3) && is_at(it.positions + 12, 1.5, 2) && is_at(it.positions + 15, 0, 0));
 
     curves = (taut_curves *)&failures; /* must be overwritten */
-    CHECK_FAILS(taut_exact_field_paths(field, indices(beyond, 2), &curves), TAUT_REASON_VERTEX_OUT_OF_RANGE,
-                TAUT_ELEMENT_TARGET, 1);
-    CHECK(curves == NULL);
-    CHECK_FAILS(taut_exact_field_paths(field, (taut_input){.data = negative, .count = 2, .type = TAUT_TYPE_I32}, &curves),
+    CHECK_FAILS(taut_exact_field_paths(field, VERTICES(indices(beyond, 2)), NULL, &curves),
                 TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_ELEMENT_TARGET, 1);
-    CHECK_FAILS(taut_exact_field_paths(field, indices(targets, 4), NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(curves == NULL);
+    const taut_input signed_targets = {.data = negative, .count = 2, .type = TAUT_TYPE_I32};
+    CHECK_FAILS(taut_exact_field_paths(field, VERTICES(signed_targets), NULL, &curves), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+                TAUT_ELEMENT_TARGET, 1);
+    CHECK_FAILS(taut_exact_field_paths(field, VERTICES(indices(targets, 4)), NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     curves = (taut_curves *)&failures;
-    CHECK_FAILS(taut_exact_field_point_paths(field, indices(beyond, 2), scalars(two_weights, 2), &curves),
-                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 1);
+    CHECK_FAILS(taut_exact_field_paths(field, POINTS(indices(beyond, 2), scalars(two_weights, 2)), NULL, &curves),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_TARGET, 1);
     CHECK(curves == NULL);
     taut_exact_field_free(field);
 
@@ -1267,13 +1313,42 @@ static void paths(void) {
     field = field_with(&from_zero, &near);
     double d[2];
     uint32_t nearest[5];
-    CHECK(taut_exact_field_paths(field, indices(targets, 4), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_paths(field, VERTICES(indices(targets, 4)), NULL, &curves) == TAUT_STATUS_OK);
     it = drawn(curves);
     CHECK(it.offsets[1] == 0 && it.offsets[2] == 1 && it.offsets[3] == 1 && it.offsets[4] == 3);
-    CHECK(taut_exact_field_point_distances(field, indices(two_faces, 2), scalars(two_weights, 2), room(d, 2)) == 0);
+    CHECK(taut_exact_field_distances(field, POINTS(indices(two_faces, 2), scalars(two_weights, 2)), room(d, 2)) == 0);
     CHECK(d[0] == INFINITY && fabs(d[1] - 3.75) < 1e-15);
-    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = nearest, .count = 5}) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_nearest_sources(field, NULL, (taut_output){.data = nearest, .count = 5}) == TAUT_STATUS_OK);
     CHECK(nearest[0] == 0 && nearest[2] == UINT32_MAX && nearest[3] == 0);
+    taut_exact_field_free(field);
+}
+
+/* Every vertex in one call; and ends before one of them when a callback says so. */
+static void all_paths(void) {
+    taut_exact_field *field = field_with(&from_zero, NULL);
+    taut_curves *curves = NULL;
+    taut_control *control = NULL;
+    uint32_t offsets[6];
+    CHECK(taut_exact_field_paths(field, NULL, NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_count(curves) == 5 && taut_curves_offsets(curves, (taut_output){.data = offsets, .count = 6}) == 0);
+    CHECK(offsets[1] == 1 && offsets[2] == 3 && offsets[3] == 6 && offsets[4] == 8 && offsets[5] == 8);
+    taut_curves_free(curves);
+
+    witness seen = {.cancel_at = 3};
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_callback(control, watch, &seen) == TAUT_STATUS_OK);
+    curves = (taut_curves *)&failures; /* must be overwritten */
+    CHECK_FAILS(taut_exact_field_paths(field, NULL, control, &curves), TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(curves == NULL && seen.calls == 3 && seen.progress == 2 / 5.0 && pthread_equal(seen.thread, pthread_self()));
+    taut_control_free(control);
+
+    seen = (witness){0};
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_callback(control, watch, &seen) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_paths(field, NULL, control, &curves) == TAUT_STATUS_OK);
+    CHECK(seen.calls == 6 && seen.progress == 1);
+    taut_curves_free(curves);
+    taut_control_free(control);
     taut_exact_field_free(field);
 }
 
@@ -1291,7 +1366,8 @@ static void from_click_to_click(void) {
     const taut_sources click = {
         .struct_size = sizeof click, .faces = indices(faces, 1), .barycentrics = scalars(weights, 1)};
     if (!status) status = taut_exact_field_new(exact, &click, &keeping, NULL, &field);
-    if (!status) status = taut_exact_field_point_paths(field, indices(faces + 1, 1), scalars(weights + 3, 1), &path);
+    const taut_targets *to = POINTS(indices(faces + 1, 1), scalars(weights + 3, 1));
+    if (!status) status = taut_exact_field_paths(field, to, NULL, &path);
     CHECK(status == TAUT_STATUS_OK && off[0] == 9 && off[1] == 9);
     CHECK(taut_curves_point_count(path) == 3);
     const drawing it = drawn(path);
@@ -1299,6 +1375,279 @@ static void from_click_to_click(void) {
     taut_exact_field_free(field);
     taut_exact_free(exact);
     taut_closest_free(closest);
+}
+
+/* From vertex 0, from (0.75, 1) with a start distance, and from the vertex that no triangle uses. */
+static const uint32_t row_vertices[] = {0, 4};
+static const double row_offsets[] = {0, 0, 0.5};
+
+static taut_sources row_sources(void) {
+    return (taut_sources){.struct_size = sizeof(taut_sources),
+                          .vertices = indices(row_vertices, 2),
+                          .offsets = scalars(row_offsets, 3),
+                          .faces = indices(&face_zero, 1),
+                          .barycentrics = scalars(inside, 1)};
+}
+
+static void distance_rows(void) {
+    enum { GAP = 7 };
+    taut_exact *exact = exact_rectangle();
+    const taut_sources from = row_sources();
+    double d[4 * 5], expected[3 * 5];
+    const uint32_t face = 0;
+    const taut_sources alone[] = {
+        from_zero,
+        {.struct_size = sizeof alone[0], .vertices = indices(row_vertices + 1, 1)},
+        {.struct_size = sizeof alone[0],
+         .offsets = scalars(row_offsets + 2, 1),
+         .faces = indices(&face, 1),
+         .barycentrics = scalars(inside, 1)}};
+    for (size_t i = 0; i < 3; i++) CHECK(field_of(exact, alone + i, expected + 5 * i) == TAUT_STATUS_OK);
+
+    const size_t threads[] = {0, 1, 2, 8, SIZE_MAX};
+    for (size_t t = 0; t < 5; t++) {
+        for (size_t i = 0; i < 20; i++) d[i] = -1;
+        CHECK(taut_exact_distance_rows(exact, &from, threads[t], NULL, room(d, 4)) == TAUT_STATUS_OK);
+        CHECK(memcmp(d, expected, sizeof expected) == 0);
+        for (size_t v = 15; v < 20; v++) CHECK(d[v] == -1);
+    }
+
+    /* Rows of floats with a gap, off alignment. */
+    unsigned char bytes[1 + 3 * (5 * sizeof(float) + GAP)];
+    memset(bytes, 0xab, sizeof bytes);
+    const size_t stride = 5 * sizeof(float) + GAP;
+    const taut_output packed = {.data = bytes + 1, .count = 3, .stride = stride, .type = TAUT_TYPE_F32};
+    CHECK(taut_exact_distance_rows(exact, &from, 1, NULL, packed) == TAUT_STATUS_OK);
+    CHECK(bytes[0] == 0xab);
+    for (size_t i = 0; i < 3; i++) {
+        for (size_t v = 0; v < 5; v++) {
+            float single;
+            memcpy(&single, bytes + 1 + i * stride + v * sizeof single, sizeof single);
+            CHECK(single == (float)expected[5 * i + v]);
+        }
+        for (size_t gap = 5 * sizeof(float); gap < stride; gap++) CHECK(bytes[1 + i * stride + gap] == 0xab);
+    }
+
+    /* No source has no rows. */
+    const taut_sources none = {.struct_size = sizeof none};
+    CHECK(taut_exact_distance_rows(exact, &none, 8, NULL, (taut_output){0}) == TAUT_STATUS_OK);
+    taut_exact_free(exact);
+}
+
+static void distance_rows_all_or_none(void) {
+    taut_exact *exact = exact_rectangle();
+    taut_sources from = row_sources();
+    double d[15];
+    for (size_t i = 0; i < 15; i++) d[i] = -1;
+    taut_output out = room(d, 3);
+    CHECK_FAILS(taut_exact_distance_rows(NULL, &from, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, NULL, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, (taut_output){.count = 3}), TAUT_REASON_NULL_POINTER, 0,
+                0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, room(d, 2)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, (taut_output){0}), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    out.stride = 4 * sizeof *d; /* a row has five */
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    out = typed(d, 3, TAUT_TYPE_I32);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+
+    /* More bytes than can be counted, or than there can be. */
+    const size_t huge[] = {SIZE_MAX, SIZE_MAX / 8 / 5 + 1, PTRDIFF_MAX / 8 / 5 + 1};
+    for (size_t i = 0; i < 3; i++) {
+        CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, room(d, huge[i])), TAUT_REASON_TOO_MANY_ELEMENTS, 0,
+                    0);
+    }
+    out = room(d, 3);
+    out.stride = SIZE_MAX;
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, out), TAUT_REASON_TOO_MANY_ELEMENTS, 0, 0);
+
+    const uint32_t beyond[] = {0, 5};
+    from.vertices = indices(beyond, 2);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, NULL, room(d, 3)), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+                TAUT_ELEMENT_SOURCE, 1);
+    from = row_sources();
+    const double bad_offsets[] = {0, 0, NAN};
+    from.offsets = scalars(bad_offsets, 3);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, NULL, room(d, 3)), TAUT_REASON_BAD_ARGUMENT,
+                TAUT_ELEMENT_SOURCE, 2);
+    for (size_t i = 0; i < 15; i++) CHECK(d[i] == -1);
+    taut_exact_free(exact);
+}
+
+static void distances_within(void) {
+    taut_exact *exact = exact_rectangle();
+    taut_sparse_distances *sparse = NULL;
+    const taut_sources from = row_sources();
+    CHECK(taut_exact_distances_within(exact, &from, 4, 8, NULL, &sparse) == TAUT_STATUS_OK);
+    taut_exact_free(exact); /* before the use of what was made from it */
+    CHECK(taut_sparse_distances_row_count(sparse) == 3 && taut_sparse_distances_count(sparse) == 7);
+
+    uint64_t offsets[4];
+    uint16_t vertices[7];
+    double d[7];
+    const taut_output to_offsets = {.data = offsets, .count = 4, .type = TAUT_TYPE_U64};
+    const taut_output to_vertices = {.data = vertices, .count = 7, .type = TAUT_TYPE_U16};
+    CHECK(taut_sparse_distances_offsets(sparse, to_offsets) == TAUT_STATUS_OK);
+    CHECK(taut_sparse_distances_vertices(sparse, to_vertices) == TAUT_STATUS_OK);
+    CHECK(taut_sparse_distances_values(sparse, room(d, 7)) == TAUT_STATUS_OK);
+    CHECK(offsets[0] == 0 && offsets[1] == 3 && offsets[2] == 4 && offsets[3] == 7);
+    const uint16_t expected[] = {0, 1, 3, 4, 0, 1, 3};
+    CHECK(memcmp(vertices, expected, sizeof expected) == 0);
+    /* The farthest corner is 3.75 and the start distance 0.5 from the point. */
+    CHECK(d[0] == 0 && d[1] == 3 && d[2] == 4 && d[3] == 0 && d[4] == 1.75 && d[5] < 4 && d[6] < 4);
+
+    memset(offsets, 0xff, sizeof offsets);
+    memset(vertices, 0xff, sizeof vertices);
+    d[0] = -1;
+    CHECK_FAILS(taut_sparse_distances_offsets(sparse, typed(offsets, 3, TAUT_TYPE_U64)),
+                TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_sparse_distances_vertices(sparse, typed(vertices, 6, TAUT_TYPE_U16)),
+                TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_sparse_distances_values(sparse, room(d, 6)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK(offsets[0] == UINT64_MAX && vertices[0] == UINT16_MAX && d[0] == -1);
+    taut_sparse_distances_free(sparse);
+}
+
+static void distances_within_a_radius_that_is_special(void) {
+    taut_exact *exact = exact_rectangle();
+    taut_sparse_distances *sparse = NULL;
+    taut_sources from = row_sources();
+    CHECK(taut_exact_distances_within(exact, &from, 0, 1, NULL, &sparse) == TAUT_STATUS_OK);
+    CHECK(taut_sparse_distances_row_count(sparse) == 3 && taut_sparse_distances_count(sparse) == 2);
+    taut_sparse_distances_free(sparse);
+    CHECK(taut_exact_distances_within(exact, &from, INFINITY, 1, NULL, &sparse) == TAUT_STATUS_OK);
+    CHECK(taut_sparse_distances_count(sparse) == 4 + 1 + 4);
+    taut_sparse_distances_free(sparse);
+    const taut_sources none = {.struct_size = sizeof none};
+    uint32_t offset = 7;
+    CHECK(taut_exact_distances_within(exact, &none, 1, 0, NULL, &sparse) == TAUT_STATUS_OK);
+    CHECK(taut_sparse_distances_row_count(sparse) == 0 && taut_sparse_distances_count(sparse) == 0);
+    CHECK(taut_sparse_distances_offsets(sparse, (taut_output){.data = &offset, .count = 1}) == TAUT_STATUS_OK);
+    CHECK(taut_sparse_distances_vertices(sparse, (taut_output){0}) == TAUT_STATUS_OK && offset == 0);
+    taut_sparse_distances_free(sparse);
+
+    const double bad[] = {-1, -INFINITY, NAN};
+    for (size_t i = 0; i < 3; i++) {
+        sparse = (taut_sparse_distances *)&failures; /* must be overwritten */
+        CHECK_FAILS(taut_exact_distances_within(exact, &from, bad[i], 1, NULL, &sparse), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+        CHECK(sparse == NULL);
+    }
+    CHECK_FAILS(taut_exact_distances_within(NULL, &from, 1, 1, NULL, &sparse), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_distances_within(exact, NULL, 1, 1, NULL, &sparse), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_distances_within(exact, &from, 1, 1, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    const uint32_t beyond[] = {0, 5};
+    from.vertices = indices(beyond, 2);
+    CHECK_FAILS(taut_exact_distances_within(exact, &from, 1, 1, NULL, &sparse), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+                TAUT_ELEMENT_SOURCE, 1);
+    taut_exact_free(exact);
+
+    double d[1];
+    CHECK(taut_sparse_distances_row_count(NULL) == 0 && taut_sparse_distances_count(NULL) == 0);
+    CHECK_FAILS(taut_sparse_distances_offsets(NULL, room(d, 1)), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_sparse_distances_vertices(NULL, room(d, 1)), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_sparse_distances_values(NULL, room(d, 1)), TAUT_REASON_NULL_POINTER, 0, 0);
+    taut_sparse_distances_free(NULL);
+}
+
+static void farthest_points(void) {
+    taut_exact *exact = exact_rectangle();
+    int64_t v[6];
+    double d[6];
+    taut_output to_v = {.data = v, .count = 6, .type = TAUT_TYPE_I64};
+    for (size_t i = 0; i < 6; i++) v[i] = 77, d[i] = -1;
+    /* Of the rectangle the far corner, the next ones; vertex 4 is on no triangle. The last row is not asked for. */
+    CHECK(taut_exact_farthest_points(exact, &from_zero, 5, NULL, to_v, room(d, 6)) == TAUT_STATUS_OK);
+    CHECK(v[0] == 2 && v[1] == 1 && v[2] == 3 && v[3] == -1 && v[4] == -1 && v[5] == 77);
+    CHECK(d[0] == 5 && d[1] == 3 && d[2] == 3 && d[3] == 0 && d[4] == 0 && d[5] == -1);
+    CHECK(taut_exact_farthest_points(exact, &from_zero, 0, NULL, (taut_output){0}, (taut_output){0}) == TAUT_STATUS_OK);
+
+    /* All or nothing. */
+    for (size_t i = 0; i < 6; i++) v[i] = 77, d[i] = -1;
+    const taut_sources none = {.struct_size = sizeof none};
+    CHECK_FAILS(taut_exact_farthest_points(NULL, &from_zero, 5, NULL, to_v, room(d, 6)), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_farthest_points(exact, NULL, 5, NULL, to_v, room(d, 6)), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_farthest_points(exact, &none, 5, NULL, to_v, room(d, 6)), TAUT_REASON_NO_SOURCE, 0, 0);
+    CHECK_FAILS(taut_exact_farthest_points(exact, &from_zero, 5, NULL, to_v, room(d, 4)), TAUT_REASON_BUFFER_TOO_SMALL, 0,
+                0);
+    CHECK(strstr(taut_last_error(NULL), "distances") != NULL);
+    CHECK_FAILS(taut_exact_farthest_points(exact, &from_zero, 7, NULL, to_v, room(d, 7)), TAUT_REASON_BUFFER_TOO_SMALL, 0,
+                0);
+    CHECK(strstr(taut_last_error(NULL), "vertices") != NULL);
+    CHECK_FAILS(taut_exact_farthest_points(exact, &from_zero, SIZE_MAX, NULL, to_v, room(d, 6)),
+                TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    to_v.count = SIZE_MAX;
+    CHECK_FAILS(taut_exact_farthest_points(exact, &from_zero, SIZE_MAX, NULL, to_v, room(d, SIZE_MAX)),
+                TAUT_REASON_TOO_MANY_ELEMENTS, 0, 0);
+    to_v = typed(v, 6, TAUT_TYPE_F64);
+    CHECK_FAILS(taut_exact_farthest_points(exact, &from_zero, 5, NULL, to_v, room(d, 6)), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    for (size_t i = 0; i < 6; i++) CHECK(v[i] == 77 && d[i] == -1);
+    taut_exact_free(exact);
+}
+
+/* Rows of the hills are their fields, to the bit, for any number of threads; and end when a callback says so. */
+static void long_batches(void) {
+    enum { ROWS = 3 };
+    taut_mesh *mesh = hills();
+    taut_exact *exact = NULL;
+    taut_exact_field *field = NULL;
+    taut_sparse_distances *sparse = NULL;
+    CHECK(taut_exact_new(mesh, &exact) == TAUT_STATUS_OK);
+    taut_mesh_free(mesh);
+    const uint32_t starts[ROWS] = {0, HILL_VERTICES - 1, 45000};
+    const taut_sources from = {.struct_size = sizeof from, .vertices = indices(starts, ROWS)};
+    const size_t size = ROWS * HILL_VERTICES * sizeof(double);
+    double *rows = malloc(size), *expected = malloc(size), d[2];
+    for (size_t i = 0; i < ROWS; i++) {
+        const taut_sources alone = {.struct_size = sizeof alone, .vertices = indices(starts + i, 1)};
+        CHECK(taut_exact_field_new(exact, &alone, NULL, NULL, &field) == TAUT_STATUS_OK);
+        CHECK(taut_exact_field_distances(field, NULL, room(expected + i * HILL_VERTICES, HILL_VERTICES)) == 0);
+        taut_exact_field_free(field);
+    }
+    const size_t threads[] = {1, 2, 8};
+    for (size_t t = 0; t < 3; t++) {
+        memset(rows, 0xff, size);
+        CHECK(taut_exact_distance_rows(exact, &from, threads[t], NULL, room(rows, ROWS)) == TAUT_STATUS_OK);
+        CHECK(memcmp(rows, expected, size) == 0);
+    }
+
+    double *untouched = expected;
+    memset(rows, 0xff, size);
+    memset(untouched, 0xff, size);
+    for (size_t t = 0; t < 3; t++) {
+        uint32_t samples[2] = {77, 77};
+        taut_control *controls[3];
+        witness seen[3];
+        for (size_t i = 0; i < 3; i++) {
+            seen[i] = (witness){.cancel_at = 10};
+            CHECK(taut_control_new(controls + i) == TAUT_STATUS_OK);
+            CHECK(taut_control_set_callback(controls[i], watch, seen + i) == TAUT_STATUS_OK);
+        }
+        CHECK_FAILS(taut_exact_distance_rows(exact, &from, threads[t], controls[0], room(rows, ROWS)),
+                    TAUT_REASON_CANCELLED, 0, 0);
+        CHECK_FAILS(taut_exact_distances_within(exact, &from, 200, threads[t], controls[1], &sparse),
+                    TAUT_REASON_CANCELLED, 0, 0);
+        CHECK_FAILS(taut_exact_farthest_points(exact, &from, 2, controls[2],
+                                               (taut_output){.data = samples, .count = 2}, room(d, 2)),
+                    TAUT_REASON_CANCELLED, 0, 0);
+        CHECK(sparse == NULL && samples[0] == 77 && samples[1] == 77);
+        CHECK(memcmp(rows, untouched, size) == 0);
+        for (size_t i = 0; i < 3; i++) {
+            CHECK(seen[i].calls == 10 && seen[i].on_one_thread && pthread_equal(seen[i].thread, pthread_self()));
+            taut_control_free(controls[i]);
+        }
+    }
+
+    taut_control *small = NULL;
+    CHECK(taut_control_new(&small) == TAUT_STATUS_OK && taut_control_set_memory_limit(small, 1) == TAUT_STATUS_OK);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, small, room(rows, ROWS)), TAUT_REASON_MEMORY_LIMIT, 0, 0);
+    CHECK_FAILS(taut_exact_distances_within(exact, &from, 5, 2, small, &sparse), TAUT_REASON_MEMORY_LIMIT, 0, 0);
+    CHECK(taut_control_set_memory_limit(small, 0) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_time_limit(small, 0.01) == TAUT_STATUS_OK);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, small, room(rows, ROWS)), TAUT_REASON_TIME_LIMIT, 0, 0);
+    taut_control_free(small);
+    free(rows);
+    free(expected);
+    taut_exact_free(exact);
 }
 
 int main(void) {
@@ -1332,7 +1681,14 @@ int main(void) {
     nearest_sources();
     points_of_a_field();
     paths();
+    all_paths();
     from_click_to_click();
+    distance_rows();
+    distance_rows_all_or_none();
+    distances_within();
+    distances_within_a_radius_that_is_special();
+    farthest_points();
+    long_batches();
     if (failures) fprintf(stderr, "%d checks failed\n", failures);
     return failures ? 1 : 0;
 }

@@ -29,6 +29,12 @@ FIELD(taut_sources, offsets, 40);
 FIELD(taut_sources, faces, 72);
 FIELD(taut_sources, barycentrics, 104);
 
+SIZE(taut_targets, 104);
+FIELD(taut_targets, struct_size, 0);
+FIELD(taut_targets, vertices, 8);
+FIELD(taut_targets, faces, 40);
+FIELD(taut_targets, barycentrics, 72);
+
 SIZE(taut_time_step, 24);
 FIELD(taut_time_step, formula, 0);
 FIELD(taut_time_step, scale, 4);
@@ -44,12 +50,12 @@ FIELD(taut_heat_options, shift, 44);
 FIELD(taut_heat_options, solver, 48);
 FIELD(taut_heat_options, reserved, 52);
 
-SIZE(taut_exact_options, 56);
+SIZE(taut_exact_options, 32);
 FIELD(taut_exact_options, struct_size, 0);
 FIELD(taut_exact_options, targets, 8);
-FIELD(taut_exact_options, radius, 40);
-FIELD(taut_exact_options, allow_partial, 48);
-FIELD(taut_exact_options, keep_windows, 52);
+FIELD(taut_exact_options, radius, 16);
+FIELD(taut_exact_options, allow_partial, 24);
+FIELD(taut_exact_options, keep_windows, 28);
 
 SIZE(taut_error, 32);
 FIELD(taut_error, struct_size, 0);

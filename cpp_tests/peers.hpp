@@ -74,23 +74,27 @@ inline Peers read_peers(const std::string &name) {
     return peers;
 }
 
-inline taut_sources from_vertex(const std::uint32_t &vertex) {
+inline taut_sources from_vertices(const std::vector<std::uint32_t> &vertices) {
     taut_sources sources = {};
     sources.struct_size = sizeof sources;
-    sources.vertices = {&vertex, 1, 0, TAUT_TYPE_U32};
+    sources.vertices = {vertices.data(), vertices.size(), 0, TAUT_TYPE_U32};
     return sources;
 }
 
-inline std::vector<double> exact_distances(const Peers &peers, std::uint32_t source) {
-    const taut_sources sources = from_vertex(source);
+inline Handle<taut_exact> prepared(const Peers &peers) {
     taut_exact *exact = nullptr;
     check(taut_exact_new(peers.taut.get(), &exact));
-    const Handle<taut_exact> exact_owner(exact, taut_exact_free);
+    return {exact, taut_exact_free};
+}
+
+inline std::vector<double> exact_distances(const Peers &peers, const std::vector<std::uint32_t> &vertices) {
+    const taut_sources sources = from_vertices(vertices);
+    const Handle<taut_exact> exact = prepared(peers);
     taut_exact_field *field = nullptr;
-    check(taut_exact_field_new(exact, &sources, nullptr, nullptr, &field));
+    check(taut_exact_field_new(exact.get(), &sources, nullptr, nullptr, &field));
     const Handle<taut_exact_field> field_owner(field, taut_exact_field_free);
     std::vector<double> distances(peers.vertex_count());
-    check(taut_exact_field_distances(field, taut_output{distances.data(), distances.size(), 0, TAUT_TYPE_F64}));
+    check(taut_exact_field_distances(field, nullptr, taut_output{distances.data(), distances.size(), 0, TAUT_TYPE_F64}));
     return distances;
 }
 

@@ -26,7 +26,7 @@ int main(int argc, char **argv) {
     if (!status) {
         count = taut_mesh_vertex_count(mesh);
         distances = calloc(count, sizeof *distances);
-        status = taut_exact_field_distances(field, (taut_output){.data = distances, .count = count});
+        status = taut_exact_field_distances(field, NULL, (taut_output){.data = distances, .count = count});
     }
     if (status) fprintf(stderr, "distance: %s\n", taut_last_error(NULL));
     for (size_t v = 0; !status && v < count; v++) printf("%.17g\n", distances[v]);

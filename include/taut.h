@@ -14,7 +14,8 @@
  *                                        (taut_input){ .data = corners, .count = triangle_count }, &mesh);
  *     if (!status) status = taut_exact_new(mesh, &exact);
  *     if (!status) status = taut_exact_field_new(exact, &from, NULL, NULL, &field);
- *     if (!status) status = taut_exact_field_distances(field, (taut_output){ .data = d, .count = vertex_count });
+ *     taut_output out = { .data = d, .count = vertex_count };
+ *     if (!status) status = taut_exact_field_distances(field, NULL, out); // NULL: of every vertex
  *     if (status) fprintf(stderr, "%s\n", taut_last_error(NULL));
  *
  *     taut_exact_field_free(field);
@@ -25,7 +26,7 @@
  * each set of sources, then taut_heat_free(heat). examples/distance.c is a whole program.
  *
  * Places on the surface are a triangle and the weights of its three corners: rows of one index and rows of three real
- * numbers, in two buffers. What taut_closest_points() finds is a source, or a point to ask a field about, as it stands:
+ * numbers, in two buffers. What taut_closest_points() finds is a source, or a target to ask a field about, as it stands:
  *
  *     // const double clicks[3 * 2]; uint32_t faces[2]; double weights[3 * 2], off[2]; from the first to the second:
  *     status = taut_closest_points(closest, (taut_input){ .data = clicks, .count = 2 },
@@ -34,10 +35,11 @@
  *                                  (taut_output){ .data = off, .count = 2 });
  *     taut_sources click = { .struct_size = sizeof click, .faces = { .data = faces, .count = 1 },
  *                            .barycentrics = { .data = weights, .count = 1 } };
- *     taut_exact_options options = { .struct_size = sizeof options, .keep_windows = 1 };
+ *     taut_targets to = { .struct_size = sizeof to, .faces = { .data = faces + 1, .count = 1 },
+ *                         .barycentrics = { .data = weights + 3, .count = 1 } };
+ *     taut_exact_options options = { .struct_size = sizeof options, .targets = &to, .keep_windows = 1 };
  *     if (!status) status = taut_exact_field_new(exact, &click, &options, NULL, &field);
- *     if (!status) status = taut_exact_field_point_paths(field, (taut_input){ .data = faces + 1, .count = 1 },
- *                                                        (taut_input){ .data = weights + 3, .count = 1 }, &path);
+ *     if (!status) status = taut_exact_field_paths(field, &to, NULL, &path);
  *
  * Then taut_curves_point_count(path) tells how many points the shortest path has, taut_curves_positions() where they
  * are. The path begins at the second click: it leads back to the source.
@@ -250,6 +252,12 @@ typedef struct taut_mesh taut_mesh;
 
 /** The diagnosis of a mesh. */
 typedef struct taut_report taut_report;
+
+/**
+ * The distances of what lies within a radius of each of several sources: a sparse matrix in compressed rows, one row for
+ * each source, one entry for each vertex that it reaches.
+ */
+typedef struct taut_sparse_distances taut_sparse_distances;
 
 /** The last failure in detail. */
 typedef struct {
@@ -536,15 +544,35 @@ typedef struct {
     taut_input barycentrics;
 } taut_sources;
 
+/**
+ * Places that are asked about: vertices, points of the surface, or both.
+ *
+ * Targets are numbered from 0, the vertices first and the points after them: answers are given and errors named by this
+ * number. A NULL pointer to targets means every vertex of the mesh.
+ */
+typedef struct {
+    /** `sizeof(taut_targets)`. */
+    size_t struct_size;
+    /** Rows of one vertex index. */
+    taut_input vertices;
+    /** Rows of one index, a point of the surface each: the triangle in which it lies. */
+    taut_input faces;
+    /**
+     * Rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, not negative,
+     * their sum 1 up to 1e-6.
+     */
+    taut_input barycentrics;
+} taut_targets;
+
 /** Options of `taut_exact_field_new`. All zero but the size is the default. */
 typedef struct {
     /** `sizeof(taut_exact_options)`. */
     size_t struct_size;
     /**
-     * Rows of one vertex index: the vertices whose distances are wanted; the work stops when all of these are final.
-     * None means every vertex.
+     * The places whose distances are wanted; the work stops when all of these are final. NULL, or no place, means every
+     * vertex.
      */
-    taut_input targets;
+    const taut_targets *targets;
     /**
      * The largest distance wanted, start distances included, in mesh units, not negative; vertices that are farther get
      * +INFINITY, and the work stops when all others are final. 0 means no limit, as does +INFINITY.
@@ -668,7 +696,8 @@ taut_status taut_control_set_time_limit(const taut_control *control, double seco
  * - `control`: not NULL.
  * - `bytes`: 0 means no limit.
  *
- * Only `taut_exact_field_new` counts its memory; to other calls this makes no difference.
+ * Only calls that compute exact distances count their memory: each of their threads by itself, and without the rows
+ * that they gather. To other calls this makes no difference.
  *
  * Errors: `control` is NULL. Cost: O(1). Threads: any.
  */
@@ -999,94 +1028,56 @@ taut_status taut_exact_field_new(const taut_exact *exact,
                                  taut_exact_field **out);
 
 /**
- * Copies the distances out.
+ * Tells the distances of places.
  *
- * - `field`: not NULL.
- * - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
- *   reaches, and beyond `taut_exact_field_final_radius`.
+ * - `field`: not NULL; made with `keep_windows`, unless all targets are vertices.
+ * - `targets`: NULL means every vertex.
+ * - `out`: rows of one real number, at least one for each target; mesh units. +INFINITY where no source reaches, and
+ *   beyond `taut_exact_field_final_radius`.
  *
- * Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: O(V). Threads: any. Cannot be cancelled.
+ * Errors: TAUT_REASON_VERTEX_OUT_OF_RANGE names the target; TAUT_REASON_BAD_ARGUMENT names the one that is no place on the
+ * mesh, or no vertex where the field keeps no windows; TAUT_REASON_BUFFER_TOO_SMALL. Cost: linear in the targets, and a
+ * look at each window of the triangle of a point. Threads: any. Cannot be cancelled.
  */
-taut_status taut_exact_field_distances(const taut_exact_field *field, taut_output out);
+taut_status taut_exact_field_distances(const taut_exact_field *field,
+                                       const taut_targets *targets,
+                                       taut_output out);
 
 /**
- * Tells the nearest source of each vertex, by its number among the sources.
+ * Tells the nearest source of places, by its number among the sources.
  *
- * - `field`: not NULL.
- * - `out`: rows of one index, at least as many as there are vertices. Where no source reaches, and beyond
+ * - `field`, `targets`: as for `taut_exact_field_distances`.
+ * - `out`: rows of one index, at least one for each target. Where no source reaches, and beyond
  *   `taut_exact_field_final_radius`, all bits are set: -1 in a signed type, the largest value of an unsigned one.
  *
- * Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: O(V). Threads:
- * any. Cannot be cancelled.
+ * Errors: as for `taut_exact_field_distances`; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: as for
+ * `taut_exact_field_distances`. Threads: any. Cannot be cancelled.
  */
-taut_status taut_exact_field_nearest_sources(const taut_exact_field *field, taut_output out);
-
-/**
- * Tells the distance of points of the surface.
- *
- * - `field`: not NULL; made with `keep_windows`, unless all points are vertices.
- * - `faces`: rows of one index: the triangle in which each point lies.
- * - `barycentrics`: rows of three real numbers, as many as there are faces: the weights of the triangle's corners, not
- *   negative, their sum 1 up to 1e-6.
- * - `out`: rows of one real number, at least as many as there are faces; mesh units. +INFINITY where no source reaches,
- *   and beyond `taut_exact_field_final_radius`.
- *
- * Errors: TAUT_REASON_BAD_ARGUMENT names the point that the mesh does not have, or that is no vertex where the field
- * keeps no windows; TAUT_REASON_BUFFER_TOO_SMALL. Cost: a look at each window of a point's triangle. Threads: any.
- * Cannot be cancelled.
- */
-taut_status taut_exact_field_point_distances(const taut_exact_field *field,
-                                             taut_input faces,
-                                             taut_input barycentrics,
+taut_status taut_exact_field_nearest_sources(const taut_exact_field *field,
+                                             const taut_targets *targets,
                                              taut_output out);
 
 /**
- * Tells the nearest source of points of the surface, by its number among the sources.
- *
- * - `field`, `faces`, `barycentrics`: as for `taut_exact_field_point_distances`.
- * - `out`: rows of one index, at least as many as there are faces, filled as by `taut_exact_field_nearest_sources`.
- *
- * Errors: as for `taut_exact_field_point_distances`; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: a
- * look at each window of a point's triangle. Threads: any. Cannot be cancelled.
- */
-taut_status taut_exact_field_point_nearest_sources(const taut_exact_field *field,
-                                                   taut_input faces,
-                                                   taut_input barycentrics,
-                                                   taut_output out);
-
-/**
- * Draws the shortest path from each of some vertices back to its nearest source.
+ * Draws the shortest path from each of some places back to its nearest source.
  *
  * A path is as long as the distance less the start distance of the source. It begins at the target and ends at the
  * source; a target that is a source has one point. No two points that follow each other are at one position.
  *
- * - `field`: not NULL.
- * - `targets`: rows of one vertex index.
+ * - `field`, `targets`: as for `taut_exact_field_distances`.
+ * - `control`: progress, cancellation and a time limit, or NULL.
  * - `out`: receives one curve for each target, in their order, to be freed with `taut_curves_free`; NULL on failure. A
  *   curve has no points where no source reaches, beyond `taut_exact_field_final_radius`, and for a vertex that no
  *   triangle uses.
  *
- * Errors: TAUT_REASON_VERTEX_OUT_OF_RANGE names the target; TAUT_REASON_TOO_MANY_ELEMENTS where the points exceed 32-bit
- * indices. Cost: linear in the triangles that the paths cross. Threads: any. Cannot be cancelled.
+ * Errors: as for `taut_exact_field_distances`; TAUT_REASON_PATH_LOST names the target; TAUT_REASON_TOO_MANY_ELEMENTS where
+ * the points exceed 32-bit indices; TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: linear in the triangles that the
+ * paths cross, and a look at each window of the triangle of a point. Threads: any. The control is consulted before each
+ * path.
  */
 taut_status taut_exact_field_paths(const taut_exact_field *field,
-                                   taut_input targets,
+                                   const taut_targets *targets,
+                                   const taut_control *control,
                                    taut_curves **out);
-
-/**
- * Draws the shortest path from each of some points of the surface back to its nearest source.
- *
- * - `field`, `faces`, `barycentrics`: as for `taut_exact_field_point_distances`.
- * - `out`: receives one curve for each point, as from `taut_exact_field_paths`.
- *
- * Errors: as for `taut_exact_field_point_distances`; TAUT_REASON_TOO_MANY_ELEMENTS where the points exceed 32-bit
- * indices. Cost: linear in the triangles that the paths cross and the windows of the points' triangles. Threads: any.
- * Cannot be cancelled.
- */
-taut_status taut_exact_field_point_paths(const taut_exact_field *field,
-                                         taut_input faces,
-                                         taut_input barycentrics,
-                                         taut_curves **out);
 
 /**
  * Tells up to which distance the field is complete: distances up to this one are there and final, beyond it all are
@@ -1112,6 +1103,131 @@ taut_status taut_exact_field_interruption(const taut_exact_field *field);
 
 /** Frees a field; NULL is fine. */
 void taut_exact_field_free(taut_exact_field *field);
+
+/**
+ * Computes the exact distances of every vertex from each of several sources, one field for each.
+ *
+ * - `exact`: not NULL.
+ * - `sources`: where to measure from; not NULL. No source means no rows.
+ * - `threads`: how many threads compute rows: 1 for the calling one only, 0 for as many as the machine has, 1024 at most.
+ *   The distances are the same, to the bit, for any number.
+ * - `control`: progress, cancellation and limits, or NULL.
+ * - `out`: rows of as many real numbers as there are vertices, at least one row for each source, in their order; mesh
+ *   units. +INFINITY where the source does not reach.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; else as for `taut_exact_field_new`. Cost: that of
+ * `taut_exact_field_new` for each source, shared by the threads, each with the memory of one field; and 8 bytes for each
+ * number until all are there. Threads: any, also on one `exact` at once. The control is consulted as by
+ * `taut_exact_field_new`, on every thread, but tells its progress on the calling one only, which may wait at the end for
+ * the last row of another; a memory limit holds for each thread, without the rows.
+ */
+taut_status taut_exact_distance_rows(const taut_exact *exact,
+                                     const taut_sources *sources,
+                                     size_t threads,
+                                     const taut_control *control,
+                                     taut_output out);
+
+/**
+ * Computes the exact distances up to a radius from each of several sources.
+ *
+ * - `exact`: not NULL.
+ * - `sources`: where to measure from; not NULL. No source means no rows.
+ * - `radius`: the largest distance wanted, start distances included, in mesh units, not negative. It counts as it is: 0
+ *   leaves what is no farther than 0, +INFINITY everything that a source reaches.
+ * - `threads`: as for `taut_exact_distance_rows`.
+ * - `control`: progress, cancellation and limits, or NULL.
+ * - `out`: receives the distances, to be freed with `taut_sparse_distances_free`; NULL on failure.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT where the radius is negative or NaN; else as for `taut_exact_field_new`. Cost: time
+ * and memory in proportion to what is reached, and for each thread 50 bytes a vertex and 12 a triangle. Threads: any, also
+ * on one `exact` at once. The control is consulted as by `taut_exact_distance_rows`.
+ */
+taut_status taut_exact_distances_within(const taut_exact *exact,
+                                        const taut_sources *sources,
+                                        double radius,
+                                        size_t threads,
+                                        const taut_control *control,
+                                        taut_sparse_distances **out);
+
+/**
+ * Tells how many rows there are: one for each source.
+ *
+ * - `distances`: not NULL.
+ *
+ * Returns 0 if `distances` is NULL. Cost: O(1). Threads: any.
+ */
+size_t taut_sparse_distances_row_count(const taut_sparse_distances *distances);
+
+/**
+ * Tells how many entries all rows have together.
+ *
+ * - `distances`: not NULL.
+ *
+ * Returns 0 if `distances` is NULL. Cost: O(1). Threads: any.
+ */
+size_t taut_sparse_distances_count(const taut_sparse_distances *distances);
+
+/**
+ * Copies out where the entries of each row begin: row i has the entries from offsets[i] up to, not including,
+ * offsets[i + 1].
+ *
+ * - `distances`: not NULL.
+ * - `out`: rows of one index, at least `taut_sparse_distances_row_count` + 1; the first is 0, the last the number of
+ *   entries.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where an offset exceeds the type. Cost: linear in the
+ * rows. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_sparse_distances_offsets(const taut_sparse_distances *distances, taut_output out);
+
+/**
+ * Copies out which vertex each entry is about, in ascending order in each row.
+ *
+ * - `distances`: not NULL.
+ * - `out`: rows of one index, at least `taut_sparse_distances_count` of them.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where an index exceeds the type. Cost: linear in the
+ * entries. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_sparse_distances_vertices(const taut_sparse_distances *distances, taut_output out);
+
+/**
+ * Copies out the distance of each entry, as `taut_exact_distance_rows` has it, to the bit.
+ *
+ * - `distances`: not NULL.
+ * - `out`: rows of one real number, at least `taut_sparse_distances_count` of them; mesh units.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: linear in the entries. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_sparse_distances_values(const taut_sparse_distances *distances, taut_output out);
+
+/** Frees sparse distances; NULL is fine. */
+void taut_sparse_distances_free(taut_sparse_distances *distances);
+
+/**
+ * Spreads vertices evenly over the surface, by farthest point sampling: each is the vertex that is farthest from the
+ * sources and from all before it; of equally far ones the first.
+ *
+ * - `exact`: not NULL.
+ * - `sources`: what to begin with; not NULL, at least one.
+ * - `count`: how many vertices are wanted.
+ * - `control`: progress, cancellation and limits, or NULL.
+ * - `vertices`: rows of one index, at least `count` of them. Once no vertex of a triangle is farther than 0, as when all
+ *   are taken, all bits are set: -1 in a signed type, the largest value of an unsigned one.
+ * - `distances`: rows of one real number, at least `count` of them: how far each vertex was when it was taken, in mesh
+ *   units; +INFINITY for the first one in a component without any, 0 where there is no vertex.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; TAUT_REASON_BAD_ARGUMENT where a vertex exceeds the
+ * type; else as for `taut_exact_field_new`. On failure nothing is written. Cost: the first vertex as much as a field, each
+ * further one about as much as the area that it takes, and O(V). Threads: any, also on one `exact` at once. The control is
+ * consulted as by `taut_exact_field_new`.
+ */
+taut_status taut_exact_farthest_points(const taut_exact *exact,
+                                       const taut_sources *sources,
+                                       size_t count,
+                                       const taut_control *control,
+                                       taut_output vertices,
+                                       taut_output distances);
 
 /**
  * Draws the lines along which a field takes given values: points on edges of the mesh, joined through triangles.

@@ -88,7 +88,8 @@ impl Control {
 
     /// Ends the work when it uses more than this many bytes; `usize::MAX` is no limit.
     ///
-    /// Only [`ExactSolver::field`](crate::ExactSolver::field) counts its bytes: those beyond the mesh and the solver.
+    /// Only [`ExactSolver`](crate::ExactSolver) counts its bytes, each thread by itself: those beyond the mesh, the solver
+    /// and the rows that are gathered.
     pub fn set_memory_limit(&self, bytes: usize) {
         lock(&self.0.limits).bytes = bytes;
     }

@@ -171,6 +171,12 @@ impl Error {
         Error { reason, element: Some(element), message: message.into() }
     }
 
+    /// The same error, about this element.
+    #[must_use]
+    pub fn about(self, element: Element) -> Error {
+        Error { element: Some(element), ..self }
+    }
+
     /// What went wrong.
     #[must_use]
     pub fn reason(&self) -> Reason {

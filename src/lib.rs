@@ -55,6 +55,7 @@ pub use report::{Angle, BoundaryLoop, Component, MeshReport, Properties};
 pub use surface::closest::{Closest, ClosestPoint};
 pub use surface::isoline::{Isoline, MAX_LEVELS, even_levels, isolines, spaced_levels};
 pub use surface::point::{Curve, Source, SurfacePoint};
+pub use surface::target::Target;
 
 /// Keeps the README's program running.
 #[cfg(doctest)]

@@ -48,8 +48,33 @@ fn rows_are_fields_to_the_bit_for_any_number_of_threads() {
             assert!(rows == expected, "{name}: {threads} threads");
         }
     }
-    let mesh = shapes::icosphere(1).mesh().unwrap();
-    assert!(ExactSolver::new(&mesh).unwrap().distance_rows(&[], 3, &Control::new()).unwrap().is_empty());
+}
+
+#[test]
+fn no_rows_of_no_sources() {
+    let solver = ExactSolver::new(&shapes::icosphere(1).mesh().unwrap()).unwrap();
+    assert!(solver.distance_rows(&[], 3, &Control::new()).unwrap().is_empty());
+    let sparse = solver.distances_within(&[], 1.0, 3, &Control::new()).unwrap();
+    assert_eq!((sparse.rows(), sparse.row_start()), (0, &[0][..]));
+    let error = solver.distance_rows(&[Vec::new()], 3, &Control::new()).unwrap_err();
+    assert_eq!(error.reason(), Reason::NoSource);
+}
+
+#[test]
+fn progress_ends_with_the_work() {
+    let solver = ExactSolver::new(&shapes::icosphere(2).mesh().unwrap()).unwrap();
+    let sources: Vec<Source> = (0..7).map(Source::vertex).collect();
+    let sets: Vec<Vec<Source>> = sources.chunks(1).map(<[Source]>::to_vec).collect();
+    let calls: [&dyn Fn(&Control); 3] = [
+        &|control| drop(solver.distance_rows(&sets, 3, control).unwrap()),
+        &|control| drop(solver.distances_within(&sources, 0.1, 3, control).unwrap()),
+        &|control| drop(solver.farthest_points(&sources, 1000, control).unwrap()),
+    ];
+    for call in calls {
+        let control = Control::new();
+        call(&control);
+        assert_eq!(control.progress(), 1.0);
+    }
 }
 
 #[test]
@@ -98,11 +123,13 @@ fn each_sample_is_the_farthest_from_those_before() {
 #[test]
 fn samples_end_with_the_vertices() {
     let mesh = shapes::icosphere(1).mesh().unwrap();
-    let samples =
-        ExactSolver::new(&mesh).unwrap().farthest_points(&[Source::vertex(0)], 1000, &Control::new()).unwrap();
-    let mut taken: Vec<u32> = samples.iter().map(|&(v, _)| v).collect();
-    taken.sort_unstable();
-    assert_eq!(taken, (1..mesh.vertex_count() as u32).collect::<Vec<_>>());
+    for offset in [0.0, -0.01] {
+        let first = [Source::vertex(0).with_offset(offset)];
+        let samples = ExactSolver::new(&mesh).unwrap().farthest_points(&first, 1000, &Control::new()).unwrap();
+        let mut taken: Vec<u32> = samples.iter().map(|&(v, _)| v).collect();
+        taken.sort_unstable();
+        assert_eq!(taken, (1..mesh.vertex_count() as u32).collect::<Vec<_>>(), "start distance {offset}");
+    }
 }
 
 #[test]
@@ -111,7 +138,7 @@ fn errors_and_cancellation_leave_no_rows() {
     let solver = ExactSolver::new(&mesh).unwrap();
     let sets = vec![vec![Source::vertex(0)], vec![Source::vertex(1), Source::vertex(9999)]];
     let error = solver.distance_rows(&sets, 2, &Control::new()).unwrap_err();
-    assert_eq!((error.reason(), error.element()), (Reason::VertexOutOfRange, Some(Element::Source(1))));
+    assert_eq!((error.reason(), error.element()), (Reason::VertexOutOfRange, Some(Element::Source(2))));
     let error = solver.distances_within(&[Source::vertex(0)], -1.0, 2, &Control::new()).unwrap_err();
     assert_eq!(error.reason(), Reason::BadArgument);
     let error = solver.farthest_points(&[], 2, &Control::new()).unwrap_err();

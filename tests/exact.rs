@@ -4,14 +4,15 @@ mod common;
 
 use common::corpus;
 use std::f64::consts::{PI, SQRT_2};
-use taut::{Control, Element, ExactField, ExactOptions, ExactSolver, Mesh, Reason, Source, shapes};
+use taut::{Control, Element, ExactField, ExactOptions, ExactSolver, Mesh, Reason, Source, Target, shapes};
 
 type Points = Vec<[f64; 3]>;
 type Triangles = Vec<[u32; 3]>;
 
 fn field(points: &[[f64; 3]], triangles: &[[u32; 3]], sources: &[Source], targets: &[u32]) -> ExactField {
     let mesh = Mesh::from_triangles(points, triangles).unwrap();
-    let options = ExactOptions { targets: targets.to_vec(), ..ExactOptions::default() };
+    let options =
+        ExactOptions { targets: targets.iter().copied().map(Target::Vertex).collect(), ..ExactOptions::default() };
     ExactSolver::new(&mesh).unwrap().field(sources, &options, &Control::new()).unwrap()
 }
 
@@ -354,7 +355,8 @@ fn errors_name_the_source_or_target() {
     let (points, triangles) = grid(2, rough);
     let solver = ExactSolver::new(&Mesh::from_triangles(&points, &triangles).unwrap()).unwrap();
     let run = |sources: &[Source], targets: &[u32]| {
-        let options = ExactOptions { targets: targets.to_vec(), ..ExactOptions::default() };
+        let options =
+            ExactOptions { targets: targets.iter().copied().map(Target::Vertex).collect(), ..ExactOptions::default() };
         let error = solver.field(sources, &options, &Control::new()).unwrap_err();
         (error.reason(), error.element())
     };

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// In the order of the manual.
-const SOURCES: [&str; 11] = [
+const SOURCES: [&str; 12] = [
     "src/ffi/version.rs",
     "src/error.rs",
     "src/ffi/guard.rs",
@@ -14,6 +14,7 @@ const SOURCES: [&str; 11] = [
     "src/ffi/report.rs",
     "src/ffi/heat.rs",
     "src/ffi/exact.rs",
+    "src/ffi/batch.rs",
     "src/ffi/surface.rs",
     "src/ffi/closest.rs",
 ];

@@ -9,8 +9,8 @@ use std::sync::{Arc, Mutex};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 use taut::{
-    Control, Error, ExactField, ExactOptions, ExactSolver, HeatOptions, HeatSolver, Mesh, Reason, Source, Status,
-    shapes,
+    Control, Element, Error, ExactField, ExactOptions, ExactSolver, HeatOptions, HeatSolver, Mesh, Reason, Source,
+    Status, SurfacePoint, Target, shapes,
 };
 
 /// What a field tells of its distances.
@@ -154,11 +154,90 @@ fn a_radius_and_targets_stop_at_the_nearer() {
     let target = 1830 + 5;
     let d = full.distances()[target as usize];
     for (radius, final_radius) in [(0.5 * d, 0.5 * d..=0.5 * d), (4.0 * d, d..=2.0 * d)] {
-        let options = ExactOptions { targets: vec![target], ..within(radius) };
+        let options = ExactOptions { targets: vec![Target::Vertex(target)], ..within(radius) };
         let part = case.field(&options, &Control::new()).unwrap();
         assert!(final_radius.contains(&part.final_radius()), "{} for {radius} and {d}", part.final_radius());
         assert_part(&part, &full, "radius and target");
     }
+}
+
+/// Points in the midst of triangles and on their edges, spread over a mesh.
+fn points(mesh: &Mesh, count: usize) -> Vec<Target> {
+    let faces = (0..mesh.triangle_count() as u32).step_by(1 + mesh.triangle_count() / count);
+    let weights = [[0.2, 0.3, 0.5], [0.9, 0.09, 0.01], [0.4, 0.6, 0.0]];
+    faces
+        .zip(weights.into_iter().cycle())
+        .map(|(face, barycentric)| Target::Point(SurfacePoint { face, barycentric }))
+        .collect()
+}
+
+#[test]
+fn a_target_inside_a_triangle_is_final_when_the_work_stops() {
+    for case in cases() {
+        let keeping = ExactOptions { keep_windows: true, ..ExactOptions::default() };
+        let full = case.field(&keeping, &Control::new()).unwrap();
+        for target in points(&case.mesh, 40) {
+            let options = ExactOptions { targets: vec![target], ..keeping.clone() };
+            let part = case.field(&options, &Control::new()).unwrap();
+            let what = format!("{}, {target:?}", case.name);
+            let distance = full.distance(target).unwrap();
+            assert_eq!(part.distance(target).unwrap(), distance, "{what}");
+            assert_eq!(part.path(target).unwrap(), full.path(target).unwrap(), "{what}");
+            assert!(part.final_radius() >= distance, "{what}");
+            assert_part(&part, &full, &what);
+        }
+    }
+}
+
+#[test]
+fn the_work_for_a_near_target_inside_a_triangle_is_small() {
+    let case = Case::new("terrain", shapes::terrain(100, 0.3).mesh().unwrap(), &[(5100, 0.0)]);
+    let all = case.full().windows();
+    // Beside the source; and with a far one, which decides.
+    let [near, far] = [10_100, 0].map(|face| Target::Point(SurfacePoint { face, barycentric: [0.2, 0.3, 0.5] }));
+    let windows = |targets: Vec<Target>| {
+        let options = ExactOptions { targets, ..ExactOptions::default() };
+        case.field(&options, &Control::new()).unwrap().windows()
+    };
+    let (one, both) = (windows(vec![near]), windows(vec![near, far, Target::Vertex(5101)]));
+    assert!(one < all / 50 && both > all / 4, "{one} and {both} of {all} windows");
+}
+
+#[test]
+fn targets_that_are_no_places_are_named() {
+    let case = &cases()[0];
+    let faces = case.mesh.triangle_count() as u32;
+    let bad = [
+        (Reason::VertexOutOfRange, Target::Vertex(case.mesh.vertex_count() as u32)),
+        (Reason::BadArgument, Target::Point(SurfacePoint { face: faces, barycentric: [0.2, 0.3, 0.5] })),
+        (Reason::BadArgument, Target::Point(SurfacePoint { face: 0, barycentric: [0.5, f64::NAN, 0.5] })),
+    ];
+    for (reason, target) in bad {
+        let options = ExactOptions { targets: vec![Target::Vertex(0), target], ..ExactOptions::default() };
+        let error = case.field(&options, &Control::new()).unwrap_err();
+        assert_eq!((error.reason(), error.element()), (reason, Some(Element::Target(1))), "{target:?}");
+        let error = case.full().paths(&[Target::Vertex(0), target], &Control::new()).unwrap_err();
+        assert_eq!((error.reason(), error.element()), (reason, Some(Element::Target(1))), "{target:?}");
+    }
+}
+
+#[test]
+fn paths_are_cancelled_between_two() {
+    let case = &cases()[0];
+    let full = case.full();
+    let targets: Vec<Target> = (0..case.mesh.vertex_count() as u32).step_by(100).map(Target::Vertex).collect();
+    let control = Control::new();
+    let paths = full.paths(&targets, &control).unwrap();
+    assert_eq!(control.progress(), 1.0);
+    for (&target, path) in targets.iter().zip(paths) {
+        assert_eq!(full.path(target).unwrap(), path);
+    }
+    let error = full.paths(&targets, &cancelled_at(7)).unwrap_err();
+    assert_eq!(error.reason(), Reason::Cancelled);
+    let late = Control::new();
+    late.set_time_limit(Duration::ZERO);
+    assert_eq!(full.paths(&targets, &late).unwrap_err().reason(), Reason::TimeLimit);
+    assert!(full.paths(&[], &Control::new()).unwrap().is_empty());
 }
 
 #[test]

@@ -3,7 +3,9 @@
 mod common;
 
 use common::corpus;
-use taut::{Closest, Control, Curve, ExactField, ExactOptions, ExactSolver, Mesh, Source, SurfacePoint, shapes};
+use taut::{
+    Closest, Control, Curve, ExactField, ExactOptions, ExactSolver, Mesh, Source, SurfacePoint, Target, shapes,
+};
 
 /// A small deterministic generator of numbers in [0, 1).
 struct Random(u64);
@@ -69,7 +71,7 @@ fn check_path(mesh: &Mesh, path: &Curve, distance: f64, what: &str) {
 
 fn check_vertex_paths(mesh: &Mesh, field: &ExactField, step: usize, what: &str) {
     for v in (0..mesh.vertex_count()).step_by(step) {
-        let path = field.path_from_vertex(v as u32).unwrap();
+        let path = field.path(Target::Vertex(v as u32)).unwrap();
         let distance = field.distances()[v];
         assert_eq!(path.is_some(), distance < f64::INFINITY, "{what}: vertex {v} at {distance}");
         if let Some(path) = path {
@@ -161,9 +163,9 @@ fn a_point_is_what_a_vertex_there_would_be() {
 
             let from_vertex = field(mesh, &[Source::vertex(case)]);
             let there = field(&split, &[Source::vertex(case)]).distances()[new as usize];
-            let distance = from_vertex.distance(&point).unwrap();
+            let distance = from_vertex.distance(Target::Point(point)).unwrap();
             assert!((distance - there).abs() <= 1e-13 * there, "{name}: {distance}, as a vertex {there}");
-            check_path(mesh, &from_vertex.path(&point).unwrap().unwrap(), distance, name);
+            check_path(mesh, &from_vertex.path(Target::Point(point)).unwrap().unwrap(), distance, name);
         }
     }
 }
@@ -176,9 +178,10 @@ fn points_are_as_far_there_as_back() {
         let fields: Vec<ExactField> = points.iter().map(|&point| field(mesh, &[Source::point(point)])).collect();
         for (p, from_p) in points.iter().zip(&fields) {
             for (q, from_q) in points.iter().zip(&fields) {
-                let [there, back] = [from_p.distance(q).unwrap(), from_q.distance(p).unwrap()];
+                let [there, back] =
+                    [from_p.distance(Target::Point(*q)).unwrap(), from_q.distance(Target::Point(*p)).unwrap()];
                 assert!((there - back).abs() <= 1e-13 * (1.0 + there), "{name}: {there} there, {back} back");
-                check_path(mesh, &from_p.path(q).unwrap().unwrap(), there, name);
+                check_path(mesh, &from_p.path(Target::Point(*q)).unwrap().unwrap(), there, name);
             }
         }
     }
@@ -209,14 +212,19 @@ fn points_on_edges_belong_to_every_triangle_there() {
             SurfacePoint { face: other, barycentric: [weight(&corners[0]), weight(&corners[1]), weight(&corners[2])] };
         let [from_one, from_two] = [one, two].map(|point| field(&mesh, &[Source::point(point)]));
         assert_near(from_one.distances(), from_two.distances(), 1e-15, "either name");
-        assert_eq!(from_one.distance(&two).unwrap(), 0.0);
+        assert_eq!(from_one.distance(Target::Point(two)).unwrap(), 0.0);
         for from in [&from_one, &from_two] {
             check_vertex_paths(&mesh, from, 1, "from an edge");
             let far = random.point(&mesh);
-            check_path(&mesh, &from.path(&far).unwrap().unwrap(), from.distance(&far).unwrap(), "from an edge");
+            check_path(
+                &mesh,
+                &from.path(Target::Point(far)).unwrap().unwrap(),
+                from.distance(Target::Point(far)).unwrap(),
+                "from an edge",
+            );
         }
         let from_vertex = field(&mesh, &[Source::vertex(0)]);
-        let [d1, d2] = [one, two].map(|point| from_vertex.distance(&point).unwrap());
+        let [d1, d2] = [one, two].map(|point| from_vertex.distance(Target::Point(point)).unwrap());
         assert!((d1 - d2).abs() <= 1e-15 * d1);
     }
 }
@@ -240,8 +248,9 @@ fn each_place_knows_its_nearest_source() {
         }
         for _ in 0..20 {
             let point = random.point(mesh);
-            let source = together.nearest_source(&point).unwrap().unwrap();
-            let [all, one] = [&together, &alone[source as usize]].map(|field| field.distance(&point).unwrap());
+            let source = together.nearest_source(Target::Point(point)).unwrap().unwrap();
+            let [all, one] =
+                [&together, &alone[source as usize]].map(|field| field.distance(Target::Point(point)).unwrap());
             assert!((all - one).abs() <= 1e-13, "{name}: source {source} is {one} away, not {all}");
         }
     }

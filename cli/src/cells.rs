@@ -7,7 +7,7 @@
 //! O(V + F) and [`BISECTIONS`] questions for each edge between two cells.
 
 use std::collections::{BTreeSet, HashMap};
-use taut::{ExactField, Mesh, SurfacePoint};
+use taut::{ExactField, Mesh, SurfacePoint, Target};
 
 /// An edge is halved so often: the border is then off by less than a millionth of it.
 const BISECTIONS: u32 = 19;
@@ -164,7 +164,7 @@ impl Edges<'_> {
         let [mut low, mut high] = [0.0, 1.0];
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (low + high);
-            let is_same = self.field.nearest_source(&point(middle))? == nearest[from];
+            let is_same = self.field.nearest_source(Target::Point(point(middle)))? == nearest[from];
             *(if is_same { &mut low } else { &mut high }) = middle;
         }
         let share = 0.5 * (low + high);

@@ -11,7 +11,7 @@ use crate::picture::{Picture, PictureArgs, Quantity};
 use crate::{Result, input};
 use clap::Args;
 use std::path::PathBuf;
-use taut::{Mesh, Source};
+use taut::{Mesh, Source, Target};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -88,7 +88,7 @@ pub(crate) fn run(args: &DistanceArgs) -> Result<()> {
     // Errors, the JSON object, the mesh and the picture are about every vertex.
     let is_all_wanted =
         args.json || args.reference.is_some() || args.mesh_out.is_some() || args.picture.picture.is_some();
-    let targets = args.target.filter(|_| !is_all_wanted).into_iter().collect();
+    let targets = args.target.filter(|_| !is_all_wanted).into_iter().map(Target::Vertex).collect();
     let field = Field::compute(&args.field, &mesh, &sources, targets).map_err(|error| error.to_string())?;
 
     let picture = draw(args, &mesh, &sources, &field.distances, reference.as_deref())?;

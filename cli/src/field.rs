@@ -2,7 +2,7 @@
 
 use crate::args::{ExactArgs, FieldArgs, Method};
 use crate::measured::{Seconds, measured};
-use taut::{ExactField, ExactOptions, ExactSolver, HeatSolver, Mesh, Source};
+use taut::{ExactField, ExactOptions, ExactSolver, HeatSolver, Mesh, Source, Target};
 
 /// What a method found, and what it took.
 pub(crate) struct Field {
@@ -17,7 +17,12 @@ pub(crate) struct Field {
 
 impl Field {
     /// The distances from `sources`; the exact method stops when it knows those of all `targets`, if there are any.
-    pub(crate) fn compute(args: &FieldArgs, mesh: &Mesh, sources: &[Source], targets: Vec<u32>) -> taut::Result<Field> {
+    pub(crate) fn compute(
+        args: &FieldArgs,
+        mesh: &Mesh,
+        sources: &[Source],
+        targets: Vec<Target>,
+    ) -> taut::Result<Field> {
         match args.method {
             Method::Heat => heat(args, mesh, sources),
             Method::Exact => exact(args, mesh, sources, targets),
@@ -34,7 +39,7 @@ fn heat(args: &FieldArgs, mesh: &Mesh, sources: &[Source]) -> taut::Result<Field
     Ok(Field { distances, final_radius, time_step: Some(solver.time_step()), setup, solve })
 }
 
-fn exact(args: &FieldArgs, mesh: &Mesh, sources: &[Source], targets: Vec<u32>) -> taut::Result<Field> {
+fn exact(args: &FieldArgs, mesh: &Mesh, sources: &[Source], targets: Vec<Target>) -> taut::Result<Field> {
     let options = ExactOptions { targets, ..args.exact.options() };
     let (field, [setup, solve]) = exact_field(&args.exact, mesh, sources, &options)?;
     let (distances, final_radius) = (field.distances().to_vec(), field.final_radius());

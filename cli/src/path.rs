@@ -11,7 +11,7 @@ use clap::{ArgGroup, Args};
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use taut::{Curve, ExactField, ExactOptions, Mesh, SurfacePoint};
+use taut::{Control, Curve, ExactField, ExactOptions, Mesh, SurfacePoint, Target};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -101,15 +101,15 @@ pub(crate) fn run(args: &PathArgs) -> Result<()> {
     let sources = input::sources(&args.sources, &mesh)?;
     input::check_targets(&args.target, &mesh)?;
     let points = input::nearest(&args.target_at, &mesh)?;
+    let keep_windows = !points.is_empty();
+    let vertices = args.target.iter().copied().map(Target::Vertex);
+    let targets: Vec<Target> = vertices.chain(points.into_iter().map(Target::Point)).collect();
 
-    let targets = match points.is_empty() && args.picture.picture.is_none() {
-        true => args.target.clone(),
-        false => Vec::new(), // what is final at the corners of a triangle need not be so inside
-    };
-    let options = ExactOptions { targets, keep_windows: !points.is_empty(), ..args.exact.options() };
+    let wanted = if args.picture.picture.is_none() { targets.clone() } else { Vec::new() };
+    let options = ExactOptions { targets: wanted, keep_windows, ..args.exact.options() };
     let field = exact_field(&args.exact, &mesh, &sources, &options).map_err(|error| error.to_string());
     let (field, [setup, solve]) = field?;
-    let (paths, seconds) = measured("paths", |_| paths(&field, &mesh, &args.target, &points));
+    let (paths, seconds) = measured("paths", |control| paths(&field, &mesh, &targets, control));
     let paths = paths.map_err(|error| error.to_string())?;
 
     write(args, &mesh, &field, &paths, input::places(&sources, &mesh)?)?;
@@ -121,22 +121,13 @@ pub(crate) fn run(args: &PathArgs) -> Result<()> {
 }
 
 /// The path of each target; `None` where no source reaches.
-fn paths(
-    field: &ExactField,
-    mesh: &Mesh,
-    vertices: &[u32],
-    points: &[SurfacePoint],
-) -> taut::Result<Vec<Option<Path>>> {
-    let nearest: Vec<Option<u32>> = field.nearest_sources().collect();
-    let path = |source: Option<u32>, distance: f64, curve: Option<Curve>| {
-        let Some((source, curve)) = source.zip(curve) else { return Ok(None) };
+fn paths(field: &ExactField, mesh: &Mesh, targets: &[Target], control: &Control) -> taut::Result<Vec<Option<Path>>> {
+    let path = |(&target, curve): (&Target, Option<Curve>)| {
+        let Some((source, curve)) = field.nearest_source(target)?.zip(curve) else { return Ok(None) };
         let positions = curve.positions(mesh)?;
-        Ok(Some(Path { source, distance, curve, positions }))
+        Ok(Some(Path { source, distance: field.distance(target)?, curve, positions }))
     };
-    let of_vertex = |&v: &u32| path(nearest[v as usize], field.distances()[v as usize], field.path_from_vertex(v)?);
-    let of_point =
-        |point: &SurfacePoint| path(field.nearest_source(point)?, field.distance(point)?, field.path(point)?);
-    vertices.iter().map(of_vertex).chain(points.iter().map(of_point)).collect()
+    targets.iter().zip(field.paths(targets, control)?).map(path).collect()
 }
 
 /// Writes the files that are asked for.

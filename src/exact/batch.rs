@@ -8,14 +8,18 @@
 //! reach is only what is nearer to it than to all samples before.
 
 use super::stop::Stop;
-use super::{ExactOptions, ExactSolver, Front, Prepared, check_radius};
+use super::{ExactSolver, Front, Prepared, check_radius};
 use crate::control::{Control, Piece};
-use crate::error::Result;
-use crate::surface::point::Source;
+use crate::error::{Element, Result};
+use crate::mesh::Mesh;
+use crate::surface::point::{Seed, Source};
 use std::num::NonZero;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
+
+/// More threads than this are not started, whatever is asked for.
+const MOST_THREADS: usize = 1024;
 
 /// Distances within a radius, row by row: those of each source to the vertices near it.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,16 +59,16 @@ impl ExactSolver {
     /// The distances of every vertex from each of several sets of sources: one row per set, each as
     /// [`ExactSolver::field`] gives it.
     ///
-    /// 0 `threads` are as many as the machine has. Progress counts rows; a memory limit holds for each thread.
+    /// 0 `threads` are as many as the machine has; more than 1024 are never started. Progress counts rows; a memory limit
+    /// holds for each thread, without the rows.
     ///
     /// # Errors
-    /// As [`ExactSolver::field`]; the source's number is that in its set.
+    /// As [`ExactSolver::field`]; sources are counted through all sets.
     pub fn distance_rows(&self, sets: &[Vec<Source>], threads: usize, control: &Control) -> Result<Vec<Vec<f64>>> {
         let mesh = &self.0.mesh;
-        let sets = sets.iter().map(|set| Source::checked(set, mesh)).collect::<Result<Vec<_>>>()?;
-        let options = ExactOptions::default();
+        let sets = checked_sets(sets, mesh)?;
         self.0.rows(sets.len(), threads, control, |front, row, control| {
-            let (units, _, ended) = self.0.propagate(front, &sets[row], &options, control);
+            let (units, _, ended) = self.0.propagate(front, &sets[row], f64::INFINITY, &[], control);
             ended?;
             Ok((0..).take(mesh.vertex_count()).map(|v| units.to_mesh(front.label(v))).collect())
         })
@@ -73,8 +77,8 @@ impl ExactSolver {
     /// The distances up to `radius` from each of several sources, in mesh units: one row per source, start distances
     /// included, with the vertices that it reaches.
     ///
-    /// 0 `threads` are as many as the machine has. The work and the memory grow with what is reached, not with the mesh.
-    /// Progress counts rows; a memory limit holds for each thread.
+    /// 0 `threads` are as many as the machine has; more than 1024 are never started. The work and the memory grow with what
+    /// is reached, not with the mesh. Progress counts rows; a memory limit holds for each thread, without the rows.
     ///
     /// # Errors
     /// As [`ExactSolver::field`].
@@ -86,10 +90,12 @@ impl ExactSolver {
         control: &Control,
     ) -> Result<SparseDistances> {
         check_radius(radius)?;
-        let seeds = Source::checked(sources, &self.0.mesh)?;
-        let options = ExactOptions { radius, ..ExactOptions::default() };
+        let seeds = match sources {
+            [] => Vec::new(),
+            _ => Source::checked(sources, &self.0.mesh)?,
+        };
         let rows = self.0.rows(seeds.len(), threads, control, |front, row, control| {
-            let (units, _, ended) = self.0.propagate(front, &seeds[row..=row], &options, control);
+            let (units, _, ended) = self.0.propagate(front, &seeds[row..=row], radius, &[], control);
             ended?;
             let near = front.reached().iter().map(|&v| (v, units.to_mesh(front.label(v))));
             let mut near: Vec<(u32, f64)> = near.filter(|&(_, distance)| distance <= radius).collect();
@@ -107,7 +113,7 @@ impl ExactSolver {
 
     /// Farthest point sampling: up to `count` vertices, each the farthest one from all `first` and from those before it,
     /// with that distance in mesh units; +inf for the first in a component without any. Of equally far ones it takes the
-    /// first. Fewer where all vertices of triangles are taken.
+    /// first. Fewer where no vertex of a triangle is farther than 0: all are taken, or have start distances below 0.
     ///
     /// The first sample costs as much as a field, each further one about as much as the area that it takes.
     ///
@@ -117,32 +123,48 @@ impl ExactSolver {
         let prepared = &*self.0;
         let seeds = Source::checked(first, &prepared.mesh)?;
         let mut front = Front::new(prepared);
-        let share = |done: usize| done as f64 / (count as f64 + 1.0);
+        let share = |done: usize| done as f64 / count as f64;
         // Samples start at 0, which must not be below the least start distance.
         let least = seeds.iter().map(|seed| seed.offset).fold(0.0, f64::min);
         let units = prepared.begin(&mut front, &seeds, least);
+        let nothing = units.scale.to_unit(-least); // the label of a sample
         let mut sources = seeds.len() as u32; // fits: sources are numbered by u32
         let mut samples = Vec::new();
-        loop {
+        while samples.len() < count {
             let piece = Piece::between(control, share(samples.len()), share(samples.len() + 1));
             front.run(&mut Stop::new(units, f64::INFINITY, &[]), piece).1?;
-            let Some((v, distance)) = prepared.farthest(&front).filter(|_| samples.len() < count) else { break };
-            samples.push((v, units.to_mesh(distance)));
-            front.start(v, units.scale.to_unit(-least), sources);
+            let Some((v, label)) = prepared.farthest(&front, nothing) else { break };
+            samples.push((v, units.to_mesh(label)));
+            front.start(v, nothing, sources);
             sources = sources.saturating_add(1);
         }
+        control.report(1.0);
         Ok(samples)
     }
 }
 
+/// The sources of each set; errors count through all sets.
+fn checked_sets(sets: &[Vec<Source>], mesh: &Mesh) -> Result<Vec<Vec<Seed>>> {
+    let mut before = 0;
+    let checked = |set: &Vec<Source>| {
+        let seeds = Source::checked(set, mesh).map_err(|error| match error.element() {
+            Some(Element::Source(i)) => error.about(Element::Source(before + i)),
+            _ => error,
+        });
+        before += set.len() as u64;
+        seeds
+    };
+    sets.iter().map(checked).collect()
+}
+
 impl Prepared {
-    /// The vertex of a triangle with the largest label, if one is farther than 0 from all sources.
-    fn farthest(&self, front: &Front) -> Option<(u32, f64)> {
+    /// The vertex of a triangle with the largest label, if one has more than `nothing`.
+    fn farthest(&self, front: &Front, nothing: f64) -> Option<(u32, f64)> {
         let corners = &self.mesh.topology().corners;
         let on_surface = (0..corners.rows()).filter(|&v| !corners.row(v).is_empty());
         let farther = |best: Option<(u32, f64)>, v: u32| {
             let label = front.label(v);
-            if label > best.map_or(0.0, |(_, label)| label) { Some((v, label)) } else { best }
+            if label > best.map_or(nothing, |(_, label)| label) { Some((v, label)) } else { best }
         };
         on_surface.fold(None, farther)
     }
@@ -156,6 +178,7 @@ impl Prepared {
         row: impl Fn(&mut Front, usize, Piece) -> Result<R> + Sync,
     ) -> Result<Vec<R>> {
         let threads = if threads == 0 { thread::available_parallelism().map_or(1, NonZero::get) } else { threads };
+        let threads = threads.min(MOST_THREADS).min(count);
         let (next, done, is_over) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicBool::new(false));
         let work = |is_caller: bool| {
             let mut front = Front::new(self);
@@ -182,7 +205,7 @@ impl Prepared {
         let mut rows = thread::scope(|scope| {
             // Where the system gives no more threads, those that there are do all.
             let spawn = |_| thread::Builder::new().spawn_scoped(scope, || work(false)).ok();
-            let others: Vec<_> = (1..threads.min(count)).map_while(spawn).collect();
+            let others: Vec<_> = (1..threads).map_while(spawn).collect();
             let mut rows = work(true);
             for other in others {
                 rows.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
@@ -190,6 +213,8 @@ impl Prepared {
             rows
         });
         rows.sort_unstable_by_key(|&(i, _)| i);
-        rows.into_iter().map(|(_, row)| row).collect()
+        let rows = rows.into_iter().map(|(_, row)| row).collect::<Result<_>>()?;
+        control.report(1.0);
+        Ok(rows)
     }
 }

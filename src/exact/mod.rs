@@ -24,13 +24,14 @@ use crate::error::{Element, Error, Reason, Result};
 use crate::mesh::Mesh;
 use crate::metric::Scale;
 use crate::surface::point::{Curve, Place, Seed, Source, SurfacePoint};
+use crate::surface::target::Target;
 pub use batch::SparseDistances;
 use bends::Bends;
 use charts::Chart;
 use propagate::{Found, Front};
 use std::sync::Arc;
-use stop::{Stop, Units};
-use trace::Trace;
+use stop::{Aim, Stop, Units};
+use trace::{Best, Trace};
 
 /// A mesh prepared for exact distances. Clones share the preparation; any number of threads may use one.
 ///
@@ -60,8 +61,8 @@ pub(crate) struct Prepared {
 /// When to stop before every vertex is reached: vertices beyond [`ExactField::final_radius`] then have +inf.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExactOptions {
-    /// Vertices whose distances are wanted; none means all. The work stops once all of these are final.
-    pub targets: Vec<u32>,
+    /// The places whose distances are wanted; none means all. The work stops once all of these are final.
+    pub targets: Vec<Target>,
     /// The largest distance wanted, start distances included, in mesh units and not negative; the default is +inf.
     /// Vertices that are farther have +inf, and the work stops once all others are final.
     pub radius: f64,
@@ -115,15 +116,14 @@ impl ExactSolver {
     /// [`Reason::BadArgument`] for a radius that is negative or NaN; unless `allow_partial` is set,
     /// [`Reason::Cancelled`], [`Reason::TimeLimit`], [`Reason::MemoryLimit`].
     pub fn field(&self, sources: &[Source], options: &ExactOptions, control: &Control) -> Result<ExactField> {
-        let mesh = &self.0.mesh;
-        let seeds = Source::checked(sources, mesh)?;
-        check_targets(&options.targets, mesh.vertex_count())?;
+        let seeds = Source::checked(sources, &self.0.mesh)?;
+        let aims = self.0.aims(&options.targets)?;
         check_radius(options.radius)?;
         let mut front = Front::new(&self.0);
         if options.keep_windows {
             front.keep_windows();
         }
-        let (units, rho, ended) = self.0.propagate(&mut front, &seeds, options, Piece::whole(control));
+        let (units, rho, ended) = self.0.propagate(&mut front, &seeds, options.radius, &aims, Piece::whole(control));
         let interruption = match ended {
             Err(error) if !options.allow_partial => return Err(error),
             ended => ended.err(),
@@ -147,13 +147,14 @@ impl Prepared {
         &self,
         front: &mut Front,
         seeds: &[Seed],
-        options: &ExactOptions,
+        radius: f64,
+        aims: &[Aim],
         control: Piece,
     ) -> (Units, f64, Result<()>) {
         // Start distances count from the least one, so that no label is negative.
         let least = seeds.iter().map(|seed| seed.offset).fold(f64::INFINITY, f64::min);
         let units = self.begin(front, seeds, least);
-        let mut stop = Stop::new(units, options.radius, &options.targets);
+        let mut stop = Stop::new(units, radius, aims);
         let (rho, ended) = front.run(&mut stop, control);
         (units, rho, ended)
     }
@@ -169,6 +170,25 @@ impl Prepared {
         }
         Units { scale: self.scale, least }
     }
+
+    fn aims(&self, targets: &[Target]) -> Result<Vec<Aim>> {
+        let aim = |(i, target): (u64, &Target)| match target.checked(&self.mesh) {
+            Ok(place) => Ok(self.aim(place)),
+            Err(error) => Err(error.about(Element::Target(i))),
+        };
+        (0..).zip(targets).map(aim).collect()
+    }
+
+    fn aim(&self, place: Place) -> Aim {
+        match place {
+            Place::Vertex(v) => Aim([(v, 0.0); 3]),
+            Place::Face(SurfacePoint { face, barycentric }) => Aim([0, 1, 2].map(|k| {
+                let h = 3 * face + k;
+                let [x, y] = self.charts[h as usize].place(h, barycentric);
+                (self.start(h), x.hypot(y))
+            })),
+        }
+    }
 }
 
 fn check_radius(radius: f64) -> Result<()> {
@@ -176,16 +196,6 @@ fn check_radius(radius: f64) -> Result<()> {
         return Ok(());
     }
     Err(Error::new(Reason::BadArgument, format!("radius is {radius}, which is not a distance")))
-}
-
-fn check_targets(targets: &[u32], vertices: usize) -> Result<()> {
-    match (0..).zip(targets).find(|&(_, &v)| v as usize >= vertices) {
-        None => Ok(()),
-        Some((i, v)) => {
-            let message = format!("is vertex {v}, but the mesh has {vertices} vertices");
-            Err(Error::at(Reason::VertexOutOfRange, Element::Target(i), message))
-        }
-    }
 }
 
 impl ExactField {
@@ -217,84 +227,73 @@ impl ExactField {
         self.found.crossed
     }
 
-    /// Distance of a point of the surface in mesh units; +inf where no source reaches, and beyond
-    /// [`ExactField::final_radius`]. It costs about as much as 50 windows do.
+    /// Distance of a place in mesh units; +inf where no source reaches, and beyond [`ExactField::final_radius`]. For a
+    /// point that is no vertex it costs about as much as 50 windows do.
     ///
     /// # Errors
-    /// [`Reason::BadArgument`] where the mesh has no such point, and for one that is no vertex where the field did not
-    /// [keep its windows](ExactOptions::keep_windows).
-    pub fn distance(&self, point: &SurfacePoint) -> Result<f64> {
-        Ok(self.within(self.trace().distance(self.place(point)?)))
+    /// [`Reason::VertexOutOfRange`], or [`Reason::BadArgument`] where the mesh has no such point, and for one that is no
+    /// vertex where the field did not [keep its windows](ExactOptions::keep_windows).
+    pub fn distance(&self, target: Target) -> Result<f64> {
+        Ok(self.best(self.place(target)?).map_or(f64::INFINITY, |best| self.units.to_mesh(best.distance)))
     }
 
     /// The source that is nearest to each vertex, by its number in the list of sources; None where no source reaches, and
     /// beyond [`ExactField::final_radius`].
     pub fn nearest_sources(&self) -> impl Iterator<Item = Option<u32>> {
-        let is_final = |d: f64| d < f64::INFINITY;
-        (0..)
-            .zip(&self.distances)
-            .map(move |(v, &d)| self.trace().nearest_source(Place::Vertex(v)).filter(|_| is_final(d)))
+        (0..).take(self.distances.len()).map(|v| self.best(Place::Vertex(v))?.source)
     }
 
-    /// The source that is nearest to a point, by its number in the list of sources; None where no source reaches, and
+    /// The source that is nearest to a place, by its number in the list of sources; None where no source reaches, and
     /// beyond [`ExactField::final_radius`].
     ///
     /// # Errors
     /// As [`ExactField::distance`].
-    pub fn nearest_source(&self, point: &SurfacePoint) -> Result<Option<u32>> {
-        let place = self.place(point)?;
-        let is_final = self.within(self.trace().distance(place)) < f64::INFINITY;
-        Ok(self.trace().nearest_source(place).filter(|_| is_final))
+    pub fn nearest_source(&self, target: Target) -> Result<Option<u32>> {
+        Ok(self.best(self.place(target)?).and_then(|best| best.source))
     }
 
-    /// The shortest path from a point back to its nearest source, as long as its distance less the start distance. None
+    /// The shortest path from a place back to its nearest source, as long as its distance less the start distance. None
     /// where no source reaches, beyond [`ExactField::final_radius`], and for a vertex of no triangle.
     ///
     /// # Errors
     /// As [`ExactField::distance`]; [`Reason::PathLost`] where rounding leaves it undetermined.
-    pub fn path(&self, point: &SurfacePoint) -> Result<Option<Curve>> {
-        self.path_from(self.place(point)?)
-    }
-
-    /// The shortest path from a vertex back to its nearest source, as [`ExactField::path`].
-    ///
-    /// # Errors
-    /// [`Reason::VertexOutOfRange`]; [`Reason::PathLost`].
-    pub fn path_from_vertex(&self, v: u32) -> Result<Option<Curve>> {
-        match self.distances.get(v as usize) {
-            None => {
-                let message = format!("there is no vertex {v}, the mesh has {} vertices", self.distances.len());
-                Err(Error::new(Reason::VertexOutOfRange, message))
-            }
-            Some(_) => self.path_from(Place::Vertex(v)),
-        }
-    }
-
-    fn path_from(&self, place: Place) -> Result<Option<Curve>> {
-        let trace = self.trace();
-        let distance = trace.distance(place);
-        if self.within(distance) == f64::INFINITY {
-            return Ok(None);
-        }
+    pub fn path(&self, target: Target) -> Result<Option<Curve>> {
+        let place = self.place(target)?;
+        let Some(best) = self.best(place) else { return Ok(None) };
         let on_surface = |v: u32| !self.solver.mesh.topology().corners.row(v).is_empty();
-        match trace.path(place) {
+        match self.trace().path(&best) {
             Some(points) => Ok(Some(Curve { points, is_closed: false })),
             None if matches!(place, Place::Vertex(v) if !on_surface(v)) => Ok(None),
             None => Err(Error::new(Reason::PathLost, "rounding leaves the path undetermined here")),
         }
     }
 
+    /// The shortest path of each of several places, as [`ExactField::path`] gives it. The control is consulted before each;
+    /// progress counts paths.
+    ///
+    /// # Errors
+    /// As [`ExactField::path`], naming the target; [`Reason::Cancelled`], [`Reason::TimeLimit`].
+    pub fn paths(&self, targets: &[Target], control: &Control) -> Result<Vec<Option<Curve>>> {
+        let mut paths = Vec::with_capacity(targets.len());
+        for (i, &target) in targets.iter().enumerate() {
+            control.checkpoint(i as f64 / targets.len() as f64)?;
+            paths.push(self.path(target).map_err(|error| error.about(Element::Target(i as u64)))?);
+        }
+        control.report(1.0);
+        Ok(paths)
+    }
+
     fn trace(&self) -> Trace<'_> {
         Trace { solver: &self.solver, found: &self.found }
     }
 
-    fn within(&self, distance: f64) -> f64 {
-        let distance = self.units.to_mesh(distance);
-        if distance > self.final_radius { f64::INFINITY } else { distance }
+    /// The shortest path to a place, if it is known to be that.
+    fn best(&self, place: Place) -> Option<Best> {
+        self.trace().best(place).filter(|best| self.units.to_mesh(best.distance) <= self.final_radius)
     }
 
-    fn place(&self, point: &SurfacePoint) -> Result<Place> {
-        let place = point.checked(&self.solver.mesh).map_err(|message| Error::new(Reason::BadArgument, message))?;
+    fn place(&self, target: Target) -> Result<Place> {
+        let place = target.checked(&self.solver.mesh)?;
         if matches!(place, Place::Face(_)) && self.found.kept.is_none() {
             let message = "a point that is no vertex needs a field that keeps its windows (keep_windows)";
             return Err(Error::new(Reason::BadArgument, message));

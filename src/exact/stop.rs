@@ -10,6 +10,9 @@
 //! and labels below ρ are final. That stays true whatever happens later, so work that is interrupted between may use the
 //! ρ of any time before.
 //!
+//! A target inside a triangle is no farther than a corner's label and the straight way from there; once ρ is beyond the
+//! least of these three, its distance is final too, by whatever way the shortest path comes.
+//!
 //! Cost: one pass over the heap for ρ. A stopping rule takes it when its vertices are labelled, and again only when all
 //! that stood in the way has left the heap.
 
@@ -60,12 +63,23 @@ impl Open {
     }
 }
 
+/// A target, by what bounds its distance: the label of each of these vertices, and the way from there. A vertex is three
+/// times itself.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Aim(pub(crate) [(u32, f64); 3]);
+
+impl Aim {
+    fn bound(&self, label: &[f64]) -> f64 {
+        self.0.iter().map(|&(v, way)| label[v as usize] + way).fold(f64::INFINITY, f64::min)
+    }
+}
+
 /// A stopping rule: the work ends once every target, or everything within a radius, is final.
 pub(crate) struct Stop<'a> {
     units: Units,
     /// In mesh units.
     radius: f64,
-    targets: &'a [u32],
+    targets: &'a [Aim],
     /// How many of the targets are known to be labelled.
     labelled: usize,
     /// Up to this distance, in units, something is in the way for certain.
@@ -73,7 +87,7 @@ pub(crate) struct Stop<'a> {
 }
 
 impl<'a> Stop<'a> {
-    pub(crate) fn new(units: Units, radius: f64, targets: &'a [u32]) -> Stop<'a> {
+    pub(crate) fn new(units: Units, radius: f64, targets: &'a [Aim]) -> Stop<'a> {
         Stop { units, radius, targets, labelled: 0, blocked: f64::NEG_INFINITY }
     }
 
@@ -99,12 +113,12 @@ impl<'a> Stop<'a> {
     /// Up to which distance labels must be final, in mesh units; +inf where that is not known yet. Looks at each target
     /// once until all have labels.
     fn wanted(&mut self, distance: f64, label: &[f64]) -> f64 {
-        let is_near = |&&v: &&u32| label[v as usize] <= distance;
+        let is_near = |aim: &&Aim| aim.bound(label) <= distance;
         self.labelled += self.targets[self.labelled..].iter().take_while(is_near).count();
         if self.targets.is_empty() || self.labelled < self.targets.len() {
             return self.radius;
         }
-        let farthest = self.targets.iter().map(|&v| label[v as usize]).fold(0.0, f64::max);
+        let farthest = self.targets.iter().map(|aim| aim.bound(label)).fold(0.0, f64::max);
         self.radius.min(self.units.to_mesh(farthest))
     }
 }

@@ -29,22 +29,24 @@ pub(crate) struct Trace<'a> {
     pub(crate) found: &'a Found,
 }
 
-/// Over what the shortest path to a point comes.
-#[derive(Debug, Clone, Copy)]
-enum Way {
-    /// Over this vertex.
-    Corner(u32),
-    /// In one straight piece.
-    Straight(Arrival),
+/// The shortest path to a place.
+pub(crate) struct Best {
+    /// Its length and the start distance of its source, in units.
+    pub(crate) distance: f64,
+    /// The source that it comes from, counted as the caller does.
+    pub(crate) source: Option<u32>,
+    way: Way,
 }
 
-/// The shortest path to a point inside triangles.
-struct Best {
-    distance: f64,
-    /// The triangle in which it arrives, the weights of the point there, and how it comes.
-    face: u32,
-    weights: [f64; 3],
-    way: Way,
+/// Over what the shortest path to a place comes.
+#[derive(Debug, Clone, Copy)]
+enum Way {
+    /// The place is this vertex.
+    Vertex(u32),
+    /// To the point over this corner of its triangle.
+    Corner(SurfacePoint, u32),
+    /// To the point in one straight piece.
+    Straight(SurfacePoint, Arrival),
 }
 
 /// A line that passes a corner at an angle below this passes it on both sides, for all that rounding tells.
@@ -69,43 +71,39 @@ const AS_SHORT: f64 = 1e-13;
 const AT_END: f64 = 1e-13;
 
 impl Trace<'_> {
-    /// The distance of a place, in units; +inf where no path leads.
-    pub(crate) fn distance(&self, place: Place) -> f64 {
-        match place {
-            Place::Vertex(v) => self.found.label[v as usize],
-            Place::Face(point) => self.best(&point).map_or(f64::INFINITY, |best| best.distance),
-        }
-    }
-
-    /// The source that is nearest to a place, counted as the caller does.
-    pub(crate) fn nearest_source(&self, place: Place) -> Option<u32> {
-        let emission = match place {
-            Place::Vertex(v) => self.found.arrival[v as usize].emission,
-            Place::Face(point) => match self.best(&point)?.way {
-                Way::Corner(v) => self.found.arrival[v as usize].emission,
-                Way::Straight(arrival) => arrival.emission,
-            },
+    /// The shortest path to a place; None where no path leads.
+    pub(crate) fn best(&self, place: Place) -> Option<Best> {
+        let (distance, way) = match place {
+            Place::Vertex(v) => (self.found.label[v as usize], Way::Vertex(v)),
+            Place::Face(point) => self.best_inside(&point)?,
         };
-        self.found.emissions.get(emission as usize).map(|emission| emission.source)
+        let emission = match way {
+            Way::Vertex(v) | Way::Corner(_, v) => self.found.arrival[v as usize].emission,
+            Way::Straight(_, arrival) => arrival.emission,
+        };
+        let source = self.found.emissions.get(emission as usize).map(|emission| emission.source);
+        (distance < f64::INFINITY).then_some(Best { distance, source, way })
     }
 
-    fn best(&self, point: &SurfacePoint) -> Option<Best> {
-        let mut best: Option<Best> = None;
+    /// The distance of a point inside triangles, and over what its shortest path comes.
+    fn best_inside(&self, point: &SurfacePoint) -> Option<(f64, Way)> {
+        let mut best: Option<(f64, Way)> = None;
+        let mut offer = |distance: f64, way: Way| {
+            if distance < best.map_or(f64::INFINITY, |(least, _)| least) {
+                best = Some((distance, way));
+            }
+        };
         for (face, weights) in self.solver.triangles_of(point) {
-            let mut offer = |distance: f64, way: Way| {
-                if distance < best.as_ref().map_or(f64::INFINITY, |best| best.distance) {
-                    best = Some(Best { distance, face, weights, way });
-                }
-            };
+            let point = SurfacePoint { face, barycentric: weights };
             for h in 3 * face..3 * face + 3 {
                 let chart = self.solver.charts[h as usize];
                 let [x, y] = chart.place(h, weights);
-                offer(self.found.label[chart.start as usize] + x.hypot(y), Way::Corner(chart.start));
+                offer(self.found.label[chart.start as usize] + x.hypot(y), Way::Corner(point, chart.start));
                 let seen = Chart { tx: x, ty: y, ..chart };
                 let windows = self.found.kept.iter().flat_map(|kept| kept.on(h));
                 let entry = windows.fold(Entry::default(), |best, window| window.entry(&seen, best));
                 let Entry { distance, at, sx, sy, emission } = entry;
-                offer(distance, Way::Straight(Arrival { h, emission, at, sx, sy }));
+                offer(distance, Way::Straight(point, Arrival { h, emission, at, sx, sy }));
             }
             let h = 3 * face;
             let chart = self.solver.charts[h as usize];
@@ -114,7 +112,7 @@ impl Trace<'_> {
                 let [sx, sy] = chart.place(h, inner.weights);
                 let straight = Arrival { h, emission: inner.emission, at: sx, sx, sy: -sy };
                 let sigma = self.found.emissions[inner.emission as usize].sigma;
-                offer(sigma + (sx - x).hypot(sy - y), Way::Straight(straight));
+                offer(sigma + (sx - x).hypot(sy - y), Way::Straight(point, straight));
             }
         }
         best
@@ -122,19 +120,13 @@ impl Trace<'_> {
 
     /// The shortest path from a place back to its nearest source; each point but the last names the triangle of the
     /// segment behind it, the last that of the segment before it. None where no path as long as the distance is found.
-    pub(crate) fn path(&self, place: Place) -> Option<Vec<SurfacePoint>> {
-        let points = self.found_back(place)?;
-        let distance = self.distance(place);
-        let expected = distance - self.start_distance(place);
-        let is_right = (self.length(&points) - expected).abs() <= LENGTH_OFF * (distance + LEAST);
-        is_right.then_some(points)
-    }
-
-    /// The start distance of the nearest source.
-    fn start_distance(&self, place: Place) -> f64 {
+    pub(crate) fn path(&self, best: &Best) -> Option<Vec<SurfacePoint>> {
+        let points = self.found_back(best)?;
         // The first throw of each source is its own, in their order.
-        let own = self.nearest_source(place).and_then(|source| self.found.emissions.get(source as usize));
-        own.map_or(0.0, |emission| emission.sigma)
+        let own = best.source.and_then(|source| self.found.emissions.get(source as usize));
+        let expected = best.distance - own.map_or(0.0, |emission| emission.sigma);
+        let is_right = (self.length(&points) - expected).abs() <= LENGTH_OFF * (best.distance + LEAST);
+        is_right.then_some(points)
     }
 
     /// In units.
@@ -145,23 +137,18 @@ impl Trace<'_> {
         positions.windows(2).map(|pair| distance(pair[0], pair[1])).sum()
     }
 
-    fn found_back(&self, place: Place) -> Option<Vec<SurfacePoint>> {
+    fn found_back(&self, best: &Best) -> Option<Vec<SurfacePoint>> {
         let mut points = Vec::new();
-        let mut v = match place {
-            Place::Vertex(v) => v,
-            Place::Face(point) => {
-                let Best { face, weights, way, .. } = self.best(&point)?;
-                points.push(SurfacePoint { face, barycentric: weights });
-                match way {
-                    Way::Straight(arrival) => {
-                        let from = self.solver.charts[arrival.h as usize].place(arrival.h, weights);
-                        self.piece(arrival, from, &mut points)?
-                    }
-                    Way::Corner(v) => {
-                        points.push(self.solver.corner(face, v)?);
-                        v
-                    }
-                }
+        let mut v = match best.way {
+            Way::Vertex(v) => v,
+            Way::Corner(point, v) => {
+                points.extend([point, self.solver.corner(point.face, v)?]);
+                v
+            }
+            Way::Straight(point, arrival) => {
+                points.push(point);
+                let from = self.solver.charts[arrival.h as usize].place(arrival.h, point.barycentric);
+                self.piece(arrival, from, &mut points)?
             }
         };
         // A path comes over no vertex twice.

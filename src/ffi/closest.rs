@@ -54,8 +54,8 @@ pub unsafe extern "C" fn taut_closest_points(
         let barycentric_rows: Vec<[f64; 3]> = found.iter().map(|closest| closest.point.barycentric).collect();
         let distance_rows: Vec<[f64; 1]> = found.iter().map(|closest| [closest.distance]).collect();
         // All three or none: what can fail about the others is asked before the first is written.
-        barycentrics.scalar_layout::<3>(found.len(), "barycentrics")?;
-        distances.scalar_layout::<1>(found.len(), "distances")?;
+        barycentrics.scalar_layout(found.len(), 3, "barycentrics")?;
+        distances.scalar_layout(found.len(), 1, "distances")?;
         // SAFETY: the header asks for views of writable memory.
         unsafe {
             faces.write_indices(&face_rows, "faces")?;

@@ -97,7 +97,8 @@ pub extern "C" fn taut_control_set_time_limit(control: Option<&taut_control>, se
 /// - `control`: not NULL.
 /// - `bytes`: 0 means no limit.
 ///
-/// Only `taut_exact_field_new` counts its memory; to other calls this makes no difference.
+/// Only calls that compute exact distances count their memory: each of their threads by itself, and without the rows
+/// that they gather. To other calls this makes no difference.
 ///
 /// Errors: `control` is NULL. Cost: O(1). Threads: any.
 #[unsafe(no_mangle)]

@@ -4,15 +4,14 @@ use super::control::taut_control;
 use super::guard::{control_or_new, free, guard, guard_new, guard_value, required};
 use super::mesh::taut_mesh;
 use super::surface::taut_curves;
-use super::types::{
-    SizedStruct, bad_enum, read_sized, sources, surface_points, taut_input, taut_output, taut_sources, vertices,
-};
-use crate::{Curve, Element, Error, ExactField, ExactOptions, ExactSolver, Mesh, Result, Status};
+use super::types::{SizedStruct, bad_enum, read_sized, sources, targets, taut_output, taut_sources, taut_targets};
+use crate::{Curve, Element, Error, ExactField, ExactOptions, ExactSolver, Mesh, Result, Status, Target};
+use std::borrow::Cow;
 
 /// A mesh prepared for exact distances. Serves any number of calls.
 pub struct taut_exact {
-    solver: ExactSolver,
-    mesh: Mesh,
+    pub(super) solver: ExactSolver,
+    pub(super) mesh: Mesh,
 }
 
 /// The exact distances from one set of sources, and the shortest paths to them.
@@ -27,9 +26,9 @@ pub struct taut_exact_field {
 pub struct taut_exact_options {
     /// `sizeof(taut_exact_options)`.
     pub struct_size: usize,
-    /// Rows of one vertex index: the vertices whose distances are wanted; the work stops when all of these are final.
-    /// None means every vertex.
-    pub targets: taut_input,
+    /// The places whose distances are wanted; the work stops when all of these are final. NULL, or no place, means every
+    /// vertex.
+    pub targets: *const taut_targets,
     /// The largest distance wanted, start distances included, in mesh units, not negative; vertices that are farther get
     /// +INFINITY, and the work stops when all others are final. 0 means no limit, as does +INFINITY.
     pub radius: f64,
@@ -42,7 +41,7 @@ pub struct taut_exact_options {
     pub keep_windows: u32,
 }
 
-// SAFETY: repr(C), starts with its size; views and numbers are valid for any bytes, and no padding follows them.
+// SAFETY: repr(C), starts with its size; pointers and numbers are valid for any bytes, and no padding follows them.
 unsafe impl SizedStruct for taut_exact_options {}
 
 /// Prepares a mesh for exact distances.
@@ -107,7 +106,7 @@ unsafe fn options_of(options: *const taut_exact_options) -> Result<ExactOptions>
     // SAFETY: as the caller promises.
     let (options, targets) = unsafe {
         let options = read_sized(options, "options")?;
-        (options, vertices(options.targets, "options.targets", Element::Target)?)
+        (options, targets(options.targets, "options.targets")?.unwrap_or_default())
     };
     if options.allow_partial > 1 {
         return Err(bad_enum("options.allow_partial", options.allow_partial));
@@ -120,169 +119,103 @@ unsafe fn options_of(options: *const taut_exact_options) -> Result<ExactOptions>
     Ok(ExactOptions { targets, radius, allow_partial, keep_windows })
 }
 
-/// Copies the distances out.
+/// Tells the distances of places.
 ///
-/// - `field`: not NULL.
-/// - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
-///   reaches, and beyond `taut_exact_field_final_radius`.
+/// - `field`: not NULL; made with `keep_windows`, unless all targets are vertices.
+/// - `targets`: NULL means every vertex.
+/// - `out`: rows of one real number, at least one for each target; mesh units. +INFINITY where no source reaches, and
+///   beyond `taut_exact_field_final_radius`.
 ///
-/// Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: O(V). Threads: any. Cannot be cancelled.
+/// Errors: TAUT_REASON_VERTEX_OUT_OF_RANGE names the target; TAUT_REASON_BAD_ARGUMENT names the one that is no place on the
+/// mesh, or no vertex where the field keeps no windows; TAUT_REASON_BUFFER_TOO_SMALL. Cost: linear in the targets, and a
+/// look at each window of the triangle of a point. Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn taut_exact_field_distances(field: Option<&taut_exact_field>, out: taut_output) -> Status {
+pub unsafe extern "C" fn taut_exact_field_distances(
+    field: Option<&taut_exact_field>,
+    targets: *const taut_targets,
+    out: taut_output,
+) -> Status {
     guard(|| {
-        let distances = required(field, "field")?.field.distances();
+        let field = &required(field, "field")?.field;
+        // SAFETY: the header asks for NULL or a struct of the size that it states, and views of readable memory.
+        let distances: Cow<[f64]> = match unsafe { self::targets(targets, "targets")? } {
+            None => field.distances().into(),
+            Some(targets) => of_each(&targets, |target| field.distance(target))?.into(),
+        };
         // SAFETY: the header asks for a view of writable memory.
         unsafe { out.write_scalars(distances.as_chunks::<1>().0, "out") }
     })
 }
 
-/// Tells the nearest source of each vertex, by its number among the sources.
+/// Tells the nearest source of places, by its number among the sources.
 ///
-/// - `field`: not NULL.
-/// - `out`: rows of one index, at least as many as there are vertices. Where no source reaches, and beyond
+/// - `field`, `targets`: as for `taut_exact_field_distances`.
+/// - `out`: rows of one index, at least one for each target. Where no source reaches, and beyond
 ///   `taut_exact_field_final_radius`, all bits are set: -1 in a signed type, the largest value of an unsigned one.
 ///
-/// Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: O(V). Threads:
-/// any. Cannot be cancelled.
+/// Errors: as for `taut_exact_field_distances`; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: as for
+/// `taut_exact_field_distances`. Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_exact_field_nearest_sources(
     field: Option<&taut_exact_field>,
+    targets: *const taut_targets,
     out: taut_output,
 ) -> Status {
     guard(|| {
-        let nearest: Vec<Option<u32>> = required(field, "field")?.field.nearest_sources().collect();
+        let field = &required(field, "field")?.field;
+        // SAFETY: the header asks for NULL or a struct of the size that it states, and views of readable memory.
+        let nearest = match unsafe { self::targets(targets, "targets")? } {
+            None => field.nearest_sources().collect(),
+            Some(targets) => of_each(&targets, |target| field.nearest_source(target))?,
+        };
         // SAFETY: the header asks for a view of writable memory.
         unsafe { out.write_optional_indices(&nearest, "out") }
     })
 }
 
-/// Tells the distance of points of the surface.
-///
-/// - `field`: not NULL; made with `keep_windows`, unless all points are vertices.
-/// - `faces`: rows of one index: the triangle in which each point lies.
-/// - `barycentrics`: rows of three real numbers, as many as there are faces: the weights of the triangle's corners, not
-///   negative, their sum 1 up to 1e-6.
-/// - `out`: rows of one real number, at least as many as there are faces; mesh units. +INFINITY where no source reaches,
-///   and beyond `taut_exact_field_final_radius`.
-///
-/// Errors: TAUT_REASON_BAD_ARGUMENT names the point that the mesh does not have, or that is no vertex where the field
-/// keeps no windows; TAUT_REASON_BUFFER_TOO_SMALL. Cost: a look at each window of a point's triangle. Threads: any.
-/// Cannot be cancelled.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn taut_exact_field_point_distances(
-    field: Option<&taut_exact_field>,
-    faces: taut_input,
-    barycentrics: taut_input,
-    out: taut_output,
-) -> Status {
-    guard(|| {
-        let field = &required(field, "field")?.field;
-        // SAFETY: the header asks for views of readable memory.
-        let points = unsafe { surface_points(faces, barycentrics, "", Element::Point)? };
-        let distances = of_each(&points, Element::Point, |point| field.distance(point));
-        let distances = distances.collect::<Result<Vec<f64>>>()?;
-        // SAFETY: the header asks for a view of writable memory.
-        unsafe { out.write_scalars(distances.as_chunks::<1>().0, "out") }
-    })
-}
-
-/// Tells the nearest source of points of the surface, by its number among the sources.
-///
-/// - `field`, `faces`, `barycentrics`: as for `taut_exact_field_point_distances`.
-/// - `out`: rows of one index, at least as many as there are faces, filled as by `taut_exact_field_nearest_sources`.
-///
-/// Errors: as for `taut_exact_field_point_distances`; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: a
-/// look at each window of a point's triangle. Threads: any. Cannot be cancelled.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn taut_exact_field_point_nearest_sources(
-    field: Option<&taut_exact_field>,
-    faces: taut_input,
-    barycentrics: taut_input,
-    out: taut_output,
-) -> Status {
-    guard(|| {
-        let field = &required(field, "field")?.field;
-        // SAFETY: the header asks for views of readable memory.
-        let points = unsafe { surface_points(faces, barycentrics, "", Element::Point)? };
-        let nearest = of_each(&points, Element::Point, |point| field.nearest_source(point));
-        let nearest = nearest.collect::<Result<Vec<Option<u32>>>>()?;
-        // SAFETY: the header asks for a view of writable memory.
-        unsafe { out.write_optional_indices(&nearest, "out") }
-    })
-}
-
-/// Draws the shortest path from each of some vertices back to its nearest source.
+/// Draws the shortest path from each of some places back to its nearest source.
 ///
 /// A path is as long as the distance less the start distance of the source. It begins at the target and ends at the
 /// source; a target that is a source has one point. No two points that follow each other are at one position.
 ///
-/// - `field`: not NULL.
-/// - `targets`: rows of one vertex index.
+/// - `field`, `targets`: as for `taut_exact_field_distances`.
+/// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: receives one curve for each target, in their order, to be freed with `taut_curves_free`; NULL on failure. A
 ///   curve has no points where no source reaches, beyond `taut_exact_field_final_radius`, and for a vertex that no
 ///   triangle uses.
 ///
-/// Errors: TAUT_REASON_VERTEX_OUT_OF_RANGE names the target; TAUT_REASON_TOO_MANY_ELEMENTS where the points exceed 32-bit
-/// indices. Cost: linear in the triangles that the paths cross. Threads: any. Cannot be cancelled.
+/// Errors: as for `taut_exact_field_distances`; TAUT_REASON_PATH_LOST names the target; TAUT_REASON_TOO_MANY_ELEMENTS where
+/// the points exceed 32-bit indices; TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: linear in the triangles that the
+/// paths cross, and a look at each window of the triangle of a point. Threads: any. The control is consulted before each
+/// path.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_exact_field_paths(
     field: Option<&taut_exact_field>,
-    targets: taut_input,
+    targets: *const taut_targets,
+    control: Option<&taut_control>,
     out: *mut *mut taut_curves,
 ) -> Status {
     let body = || {
         let taut_exact_field { field, mesh } = required(field, "field")?;
-        // SAFETY: the header asks for a view of readable memory.
-        let targets = unsafe { vertices(targets, "targets", Element::Target)? };
-        curves(mesh, of_each(&targets, Element::Target, |&v| field.path_from_vertex(v)))
+        // SAFETY: the header asks for NULL or a struct of the size that it states, and views of readable memory.
+        let targets = match unsafe { self::targets(targets, "targets")? } {
+            None => (0..).take(mesh.vertex_count()).map(Target::Vertex).collect(),
+            Some(targets) => targets,
+        };
+        let mut curves = taut_curves::new();
+        for (target, path) in (0..).zip(field.paths(&targets, &control_or_new(control))?) {
+            curves.push(mesh, target, &path.unwrap_or(Curve { points: Vec::new(), is_closed: false }))?;
+        }
+        Ok(curves)
     };
     // SAFETY: the header asks for a writable `out`.
     unsafe { guard_new(out, body) }
 }
 
-/// Draws the shortest path from each of some points of the surface back to its nearest source.
-///
-/// - `field`, `faces`, `barycentrics`: as for `taut_exact_field_point_distances`.
-/// - `out`: receives one curve for each point, as from `taut_exact_field_paths`.
-///
-/// Errors: as for `taut_exact_field_point_distances`; TAUT_REASON_TOO_MANY_ELEMENTS where the points exceed 32-bit
-/// indices. Cost: linear in the triangles that the paths cross and the windows of the points' triangles. Threads: any.
-/// Cannot be cancelled.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn taut_exact_field_point_paths(
-    field: Option<&taut_exact_field>,
-    faces: taut_input,
-    barycentrics: taut_input,
-    out: *mut *mut taut_curves,
-) -> Status {
-    let body = || {
-        let taut_exact_field { field, mesh } = required(field, "field")?;
-        // SAFETY: the header asks for views of readable memory.
-        let points = unsafe { surface_points(faces, barycentrics, "", Element::Point)? };
-        curves(mesh, of_each(&points, Element::Point, |point| field.path(point)))
-    };
-    // SAFETY: the header asks for a writable `out`.
-    unsafe { guard_new(out, body) }
-}
-
-/// What `answer` says of each row; an error names the row.
-fn of_each<T, A>(
-    rows: &[T],
-    element: fn(u64) -> Element,
-    answer: impl Fn(&T) -> Result<A>,
-) -> impl Iterator<Item = Result<A>> {
-    (0..)
-        .zip(rows)
-        .map(move |(i, row)| answer(row).map_err(|error| Error::at(error.reason(), element(i), error.message())))
-}
-
-/// One curve for each path, without points where there is none.
-fn curves(mesh: &Mesh, paths: impl Iterator<Item = Result<Option<Curve>>>) -> Result<taut_curves> {
-    let mut curves = taut_curves::new();
-    for (row, path) in (0..).zip(paths) {
-        curves.push(mesh, row, &path?.unwrap_or(Curve { points: Vec::new(), is_closed: false }))?;
-    }
-    Ok(curves)
+/// What `answer` says of each target; an error names the target.
+fn of_each<A>(targets: &[Target], answer: impl Fn(Target) -> Result<A>) -> Result<Vec<A>> {
+    let answer = |(i, &target)| answer(target).map_err(|error| error.about(Element::Target(i)));
+    (0..).zip(targets).map(answer).collect()
 }
 
 /// Tells up to which distance the field is complete: distances up to this one are there and final, beyond it all are

@@ -14,6 +14,7 @@
 #![allow(non_camel_case_types, reason = "these are the names that C sees")]
 #![deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
 
+mod batch;
 mod closest;
 mod control;
 mod exact;

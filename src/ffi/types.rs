@@ -1,7 +1,7 @@
 //! What crosses the border by value: views of the caller's buffers, sources, structs that state their own size.
 
 use super::guard::null;
-use crate::{Element, ElementType, Error, IndexType, Reason, Result, Rows, ScalarType, Source, SurfacePoint};
+use crate::{Element, ElementType, Error, IndexType, Reason, Result, Rows, ScalarType, Source, SurfacePoint, Target};
 use libc::c_void;
 use std::mem::MaybeUninit;
 
@@ -78,6 +78,27 @@ pub struct taut_sources {
 
 // SAFETY: repr(C), starts with its size; views are valid for any bytes, and a later field begins after the last one.
 unsafe impl SizedStruct for taut_sources {}
+
+/// Places that are asked about: vertices, points of the surface, or both.
+///
+/// Targets are numbered from 0, the vertices first and the points after them: answers are given and errors named by this
+/// number. A NULL pointer to targets means every vertex of the mesh.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct taut_targets {
+    /// `sizeof(taut_targets)`.
+    pub struct_size: usize,
+    /// Rows of one vertex index.
+    pub vertices: taut_input,
+    /// Rows of one index, a point of the surface each: the triangle in which it lies.
+    pub faces: taut_input,
+    /// Rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, not negative,
+    /// their sum 1 up to 1e-6.
+    pub barycentrics: taut_input,
+}
+
+// SAFETY: as for taut_sources.
+unsafe impl SizedStruct for taut_targets {}
 
 /// A struct that grows at its end from version to version.
 ///
@@ -195,7 +216,16 @@ impl taut_output {
     /// # Safety
     /// The view describes writable memory that nobody else uses during the call.
     pub(super) unsafe fn write_scalars<const WIDTH: usize>(self, rows: &[[f64; WIDTH]], name: &str) -> Result<()> {
-        let (kind, layout) = self.scalar_layout::<WIDTH>(rows.len(), name)?;
+        // SAFETY: as the caller promises.
+        unsafe { self.write_scalar_rows(rows, WIDTH, name) }
+    }
+
+    /// Writes rows of `width` real numbers, all or none.
+    ///
+    /// # Safety
+    /// As [`taut_output::write_scalars`].
+    pub(super) unsafe fn write_scalar_rows<R: AsRef<[f64]>>(self, rows: &[R], width: usize, name: &str) -> Result<()> {
+        let (kind, layout) = self.scalar_layout(rows.len(), width, name)?;
         // SAFETY: the layout is checked against the view, and the caller promises writable memory.
         unsafe {
             match kind {
@@ -207,10 +237,16 @@ impl taut_output {
         Ok(())
     }
 
-    /// Whether `needed` rows of real numbers can be written; asked first where one call fills several views.
-    pub(super) fn scalar_layout<const WIDTH: usize>(self, needed: usize, name: &str) -> Result<(ScalarType, Layout)> {
+    /// Whether `needed` rows of real numbers can be written; asked first where the work is long, or fills several views.
+    pub(super) fn scalar_layout(self, needed: usize, width: usize, name: &str) -> Result<(ScalarType, Layout)> {
         let kind = scalar_type(self.r#type, name)?;
-        Ok((kind, self.layout::<WIDTH, _>(needed, kind, name)?))
+        Ok((kind, self.layout(needed, width, kind, name)?))
+    }
+
+    /// Whether `needed` rows of indices can be written, but for their size.
+    pub(super) fn index_layout(self, needed: usize, width: usize, name: &str) -> Result<(IndexType, Layout)> {
+        let kind = index_type(self.r#type, name)?;
+        Ok((kind, self.layout(needed, width, kind, name)?))
     }
 
     /// Writes rows of indices, all or none.
@@ -220,7 +256,18 @@ impl taut_output {
     pub(super) unsafe fn write_indices<const WIDTH: usize>(self, rows: &[[u32; WIDTH]], name: &str) -> Result<()> {
         let largest = rows.iter().flatten().copied().max().unwrap_or(0);
         // SAFETY: as the caller promises.
-        unsafe { self.write_integers(rows, largest, u64::from, name) }
+        unsafe { self.write_integers(rows, largest.into(), u64::from, name) }
+    }
+
+    /// Writes rows of one offset, all or none; they never decrease.
+    ///
+    /// # Safety
+    /// As [`taut_output::write_scalars`].
+    pub(super) unsafe fn write_offsets(self, offsets: &[usize], name: &str) -> Result<()> {
+        let bits = |offset: usize| offset as u64;
+        let largest = offsets.last().copied().map_or(0, bits);
+        // SAFETY: as the caller promises.
+        unsafe { self.write_integers(offsets.as_chunks::<1>().0, largest, bits, name) }
     }
 
     /// Writes rows of one index, all or none; no index is all ones in an unsigned type, -1 in a signed one.
@@ -229,7 +276,7 @@ impl taut_output {
     /// As [`taut_output::write_scalars`].
     pub(super) unsafe fn write_optional_indices(self, indices: &[Option<u32>], name: &str) -> Result<()> {
         // One more than the largest must fit too, so that no index looks like none.
-        let largest = indices.iter().flatten().max().map_or(0, |i| i.saturating_add(1));
+        let largest = indices.iter().flatten().max().map_or(0, |&i| u64::from(i) + 1);
         let bits = |index: Option<u32>| index.map_or(u64::MAX, u64::from);
         // SAFETY: as the caller promises.
         unsafe { self.write_integers(indices.as_chunks::<1>().0, largest, bits, name) }
@@ -242,16 +289,16 @@ impl taut_output {
     unsafe fn write_integers<S: Copy, const WIDTH: usize>(
         self,
         rows: &[[S; WIDTH]],
-        largest: u32,
+        largest: u64,
         bits: impl Fn(S) -> u64,
         name: &str,
     ) -> Result<()> {
-        let kind = index_type(self.r#type, name)?;
-        let layout = self.layout::<WIDTH, _>(rows.len(), kind, name)?;
+        let (kind, layout) = self.index_layout(rows.len(), WIDTH, name)?;
         let fits = match kind {
             IndexType::U16 => u16::try_from(largest).is_ok(),
+            IndexType::U32 => u32::try_from(largest).is_ok(),
             IndexType::I32 => i32::try_from(largest).is_ok(),
-            IndexType::U32 | IndexType::U64 | IndexType::I64 => true,
+            IndexType::U64 | IndexType::I64 => true,
         };
         if !fits {
             let message = format!("`{name}.type` is too small for the index {largest}");
@@ -271,13 +318,13 @@ impl taut_output {
     }
 
     /// The checked layout of `needed` rows in this view.
-    fn layout<const WIDTH: usize, T: ElementType>(self, needed: usize, kind: T, name: &str) -> Result<Layout> {
-        let layout = Layout::new(self.data, self.count, self.stride, WIDTH, kind, name)?;
+    fn layout<T: ElementType>(self, needed: usize, width: usize, kind: T, name: &str) -> Result<Layout> {
+        let layout = Layout::new(self.data, self.count, self.stride, width, kind, name)?;
         if self.count < needed {
             let message = format!("`{name}` has room for {} rows, but {needed} are needed", self.count);
             return Err(Error::new(Reason::BufferTooSmall, message));
         }
-        if layout.stride < WIDTH * kind.size() {
+        if layout.stride < width * kind.size() {
             return Err(Error::new(
                 Reason::BadArgument,
                 format!("the rows of `{name}` overlap: its stride is too small"),
@@ -289,6 +336,8 @@ impl taut_output {
 
 /// Where the rows of a view lie.
 pub(super) struct Layout {
+    /// Elements in a row.
+    width: usize,
     /// Bytes from one row to the next.
     stride: usize,
     /// Bytes from the first to past the last.
@@ -312,21 +361,16 @@ impl Layout {
         if isize::try_from(span).is_err() {
             return Err(Error::new(Reason::TooManyElements, format!("`{name}` spans more memory than there can be")));
         }
-        Ok(Layout { stride, span })
+        Ok(Layout { width, stride, span })
     }
 
     /// Writes `rows` to `data`, which need not be aligned.
     ///
     /// # Safety
-    /// Rows of `WIDTH` elements of type `T` in this layout are writable.
-    unsafe fn write<S: Copy, T, const WIDTH: usize>(
-        &self,
-        data: *mut c_void,
-        rows: &[[S; WIDTH]],
-        convert: impl Fn(S) -> T,
-    ) {
+    /// As many rows of elements of type `T` in this layout are writable.
+    unsafe fn write<S: Copy, T>(&self, data: *mut c_void, rows: &[impl AsRef<[S]>], convert: impl Fn(S) -> T) {
         for (i, row) in rows.iter().enumerate() {
-            for (k, &element) in row.iter().enumerate() {
+            for (k, &element) in row.as_ref().iter().take(self.width).enumerate() {
                 // SAFETY: element (i, k) lies in the layout's span, which does not overflow.
                 unsafe {
                     data.cast::<u8>().add(i * self.stride).cast::<T>().add(k).write_unaligned(convert(element));
@@ -364,7 +408,7 @@ pub(super) fn bad_enum(name: &str, value: u32) -> Error {
 ///
 /// # Safety
 /// As [`taut_input::scalars`].
-pub(super) unsafe fn vertices(view: taut_input, name: &str, element: fn(u64) -> Element) -> Result<Vec<u32>> {
+unsafe fn vertices(view: taut_input, name: &str, element: fn(u64) -> Element) -> Result<Vec<u32>> {
     // SAFETY: as the caller promises.
     let rows = unsafe { view.indices(1, name)? };
     let vertex = |row: usize| {
@@ -379,7 +423,7 @@ pub(super) unsafe fn vertices(view: taut_input, name: &str, element: fn(u64) -> 
 ///
 /// # Safety
 /// The views describe readable memory.
-pub(super) unsafe fn surface_points(
+unsafe fn surface_points(
     faces: taut_input,
     barycentrics: taut_input,
     owner: &str,
@@ -403,24 +447,61 @@ pub(super) unsafe fn surface_points(
     (0..faces.count()).map(point).collect()
 }
 
+/// The vertices, then the points; errors and messages as by [`vertices`] and [`surface_points`].
+///
+/// # Safety
+/// The views describe readable memory.
+unsafe fn places(
+    vertices: taut_input,
+    faces: taut_input,
+    barycentrics: taut_input,
+    owner: &str,
+    element: fn(u64) -> Element,
+) -> Result<Vec<Target>> {
+    // SAFETY: as the caller promises.
+    let (vertices, points) = unsafe {
+        let vertices = self::vertices(vertices, &format!("{owner}.vertices"), element)?;
+        let behind = |row| element(vertices.len() as u64 + row);
+        let points = surface_points(faces, barycentrics, &format!("{owner}."), behind)?;
+        (vertices, points)
+    };
+    Ok(vertices.into_iter().map(Target::Vertex).chain(points.into_iter().map(Target::Point)).collect())
+}
+
+/// The caller's targets; None for NULL, which means every vertex.
+///
+/// # Safety
+/// `targets` is NULL or points to a struct of the size it states, whose views describe readable memory.
+pub(super) unsafe fn targets(targets: *const taut_targets, name: &str) -> Result<Option<Vec<Target>>> {
+    if targets.is_null() {
+        return Ok(None);
+    }
+    // SAFETY: as the caller promises.
+    unsafe {
+        let taut_targets { vertices, faces, barycentrics, .. } = read_sized(targets, name)?;
+        places(vertices, faces, barycentrics, name, Element::Target).map(Some)
+    }
+}
+
 /// The caller's sources: the vertices, then the points.
 ///
 /// # Safety
-/// `sources` is NULL or points to a struct of the size it states, whose views describe readable memory.
+/// As [`targets`].
 pub(super) unsafe fn sources(sources: *const taut_sources) -> Result<Vec<Source>> {
     if sources.is_null() {
         return Err(null("sources"));
     }
     // SAFETY: as the caller promises.
-    let (vertices, offsets, points) = unsafe {
-        let sources = read_sized(sources, "sources")?;
-        let vertices = vertices(sources.vertices, "sources.vertices", Element::Source)?;
-        let element = |row| Element::Source(vertices.len() as u64 + row);
-        let points = surface_points(sources.faces, sources.barycentrics, "sources.", element)?;
-        (vertices, sources.offsets.numbers("sources.offsets")?, points)
+    let (places, offsets) = unsafe {
+        let taut_sources { vertices, offsets, faces, barycentrics, .. } = read_sized(sources, "sources")?;
+        let places = places(vertices, faces, barycentrics, "sources", Element::Source)?;
+        (places, offsets.numbers("sources.offsets")?)
     };
-    let places = vertices.into_iter().map(Source::vertex).chain(points.into_iter().map(Source::point));
-    let mut sources: Vec<Source> = places.collect();
+    let source = |place| match place {
+        Target::Vertex(v) => Source::vertex(v),
+        Target::Point(point) => Source::point(point),
+    };
+    let mut sources: Vec<Source> = places.into_iter().map(source).collect();
     if !offsets.is_empty() && offsets.len() != sources.len() {
         let message = format!("`sources` has {} vertices and points, but {} offsets", sources.len(), offsets.len());
         return Err(Error::new(Reason::BadArgument, message));

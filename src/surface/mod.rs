@@ -1,5 +1,6 @@
-//! Things on the surface: sources, points, the closest place, curves and isolines; later paths and comparisons.
+//! Things on the surface: sources, targets, points, the closest place, curves and isolines; later paths and comparisons.
 
 pub(crate) mod closest;
 pub(crate) mod isoline;
 pub(crate) mod point;
+pub(crate) mod target;

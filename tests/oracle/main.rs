@@ -4,7 +4,7 @@ mod soups;
 mod unfolding;
 
 use soups::{KINDS, Random, Soup, needles, soup};
-use taut::{Control, ExactOptions, ExactSolver, Mesh, Reason, Source};
+use taut::{Control, ExactOptions, ExactSolver, Mesh, Reason, Source, Target};
 
 /// The engine's distances from each vertex.
 fn engine((points, triangles): &Soup) -> Vec<Vec<f64>> {
@@ -138,7 +138,7 @@ fn lost_paths((points, triangles): &Soup) -> usize {
     for source in 0..points.len() as u32 {
         let field = solver.field(&[Source::vertex(source)], &ExactOptions::default(), &Control::new()).unwrap();
         for (v, &distance) in (0..).zip(field.distances()).filter(|&(v, d)| d.is_finite() && v != source) {
-            let path = match field.path_from_vertex(v) {
+            let path = match field.path(Target::Vertex(v)) {
                 Ok(path) => path.unwrap(),
                 Err(error) => {
                     assert_eq!(error.reason(), Reason::PathLost);
