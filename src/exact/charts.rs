@@ -3,19 +3,13 @@
 //! The chart of half-edge h puts its start at the origin, its end on the positive x axis and the third corner, the
 //! *apex*, at (tx, ty) with ty > 0. It is taken from the coordinates, not from three lengths: in a triangle with an angle
 //! of 1e-7 the height would lose half of its digits to cancellation in the lengths, but only a third in the cross
-//! product. No angle is needed but the sum at each vertex.
+//! product.
 //!
-//! A vertex is a *pseudo-source* where a shortest path can bend: its angles sum to more than 2π (π at a boundary), or
-//! its triangles do not form one closed or one open fan, or one of them is a sliver: there rounding decides on which side
-//! of the vertex a straight line passes, and neither side may be left out. A pseudo-source too many costs time only.
-//!
-//! O(V + F) time; 40 bytes per half-edge.
+//! O(V + F) time; 32 bytes per half-edge.
 
 use crate::mesh::Mesh;
-use crate::mesh::fan::{Fan, fan};
 use crate::mesh::topology::{NONE, next, prev};
 use crate::metric::{Scale, cross, dot, minus};
-use std::f64::consts::PI;
 
 /// A triangle laid flat along one of its half-edges, and what is around: one record, because they are needed together.
 #[derive(Debug, Clone, Copy)]
@@ -25,8 +19,6 @@ pub(crate) struct Chart {
     /// Coordinates of the apex.
     pub(crate) tx: f64,
     pub(crate) ty: f64,
-    /// The triangle's angle where the half-edge starts.
-    pub(crate) angle: f64,
     /// The vertex where it starts.
     pub(crate) start: u32,
     /// The other half-edge on the edge, NONE at the boundary, or SEVERAL.
@@ -48,9 +40,6 @@ pub(crate) const SEVERAL: u32 = NONE - 1;
 /// along its edges and no ray is parallel to an edge. It moves nothing by more than the rounding of the coordinates, and
 /// changes no length by a bit, so that a short edge turns what crosses it but does not stretch it.
 const LEAST_SINE: f64 = 1.0 / (1u64 << 48) as f64;
-
-/// Angles are summed to about this accuracy; a vertex that is flat up to it is not a pseudo-source.
-const ANGLE_TOLERANCE: f64 = 1e-9;
 
 /// The chart of every half-edge, in units of `scale`; those of ignored triangles are never used.
 pub(crate) fn charts(mesh: &Mesh, scale: Scale) -> Vec<Chart> {
@@ -78,7 +67,7 @@ fn triangle_charts(triangle: [u32; 3], [a, b, c]: [[f64; 3]; 3]) -> [Chart; 3] {
         } else {
             [dot(to_apex, sides[k]) / length, double_area / length]
         };
-        Chart { length, tx, ty, start: triangle[k], angle: ty.atan2(tx), twin: NONE }
+        Chart { length, tx, ty, start: triangle[k], twin: NONE }
     })
 }
 
@@ -118,33 +107,4 @@ pub(crate) fn remembering(mesh: &Mesh, charts: &[Chart]) -> Vec<bool> {
         remembers[(h / 3) as usize] = true;
     }
     remembers
-}
-
-/// Where paths can bend at a vertex.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Bend {
-    /// Nowhere: it is no pseudo-source.
-    Nowhere,
-    /// Away from where they come, by at least π to either side: the wedge of directions that they cannot reach straight.
-    Wedge,
-    /// In any direction.
-    Anywhere,
-}
-
-/// How paths bend at each vertex.
-pub(crate) fn bends(mesh: &Mesh, charts: &[Chart], sliver: &[bool]) -> Vec<Bend> {
-    let bend = |v: u32| {
-        let corners = mesh.topology().corners.row(v);
-        if corners.iter().any(|&h| sliver[(h / 3) as usize]) {
-            return Bend::Anywhere;
-        }
-        let flat = match fan(mesh, v) {
-            Fan::Closed => 2.0 * PI,
-            Fan::Open => PI,
-            Fan::Other => return Bend::Anywhere,
-        };
-        let angle = corners.iter().map(|&h| charts[h as usize].angle).sum::<f64>();
-        if angle > flat + ANGLE_TOLERANCE { Bend::Wedge } else { Bend::Nowhere }
-    };
-    (0..mesh.topology().corners.rows()).map(bend).collect()
 }

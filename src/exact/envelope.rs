@@ -31,42 +31,30 @@ pub(crate) fn trim<R: Rays>(windows: &mut Vec<Window<R>>, height: f64, scratch: 
         trim(&mut half, height, scratch);
         windows.append(&mut half);
     }
-    sort(windows, &mut scratch.kept);
     let Scratch { kept, pending } = scratch;
     kept.clear();
     let mut sweep = Sweep { kept, pending, height, run: f64::NEG_INFINITY, end: f64::NEG_INFINITY };
-    for window in windows.iter() {
-        // What begins before it comes first.
-        while let Some(cut) = sweep.pending.pop_if(|cut| cut.b0 <= window.b0) {
-            sweep.add(&cut);
+    let begins_before = |a: &Window<R>, b: &Window<R>| a.b0 <= b.b0;
+    // They come in two sorted runs at most, one for each side of the triangle before, but for a few.
+    let second =
+        windows.windows(2).position(|pair| !begins_before(&pair[0], &pair[1])).map_or(windows.len(), |i| i + 1);
+    if !windows[second..].is_sorted_by(begins_before) {
+        windows.sort_by(|a, b| a.b0.total_cmp(&b.b0));
+        windows.iter().for_each(|window| sweep.add_next(window));
+    } else {
+        let (mut left, mut right) = windows.split_at(second);
+        while let (Some(a), Some(b)) = (left.first(), right.first()) {
+            let run = if begins_before(a, b) { &mut left } else { &mut right };
+            sweep.add_next(&run[0]);
+            *run = &run[1..];
         }
-        sweep.add(window);
+        left.iter().chain(right).for_each(|window| sweep.add_next(window));
     }
     while let Some(cut) = sweep.pending.pop() {
         sweep.add(&cut);
     }
     sweep.settle_last();
     std::mem::swap(windows, kept);
-}
-
-/// Sorts windows by where they begin. They come in two sorted runs at most, one for each side of the triangle before,
-/// but for a few.
-fn sort<R: Rays>(windows: &mut Vec<Window<R>>, scratch: &mut Vec<Window<R>>) {
-    let order = |a: &Window<R>, b: &Window<R>| a.b0 <= b.b0;
-    let Some(second) = windows.windows(2).position(|pair| pair[0].b0 > pair[1].b0) else { return };
-    let (mut left, mut right) = windows.split_at(second + 1);
-    if !right.is_sorted_by(order) {
-        return windows.sort_by(|a, b| a.b0.total_cmp(&b.b0));
-    }
-    scratch.clear();
-    while let (Some(a), Some(b)) = (left.first(), right.first()) {
-        let run = if order(a, b) { &mut left } else { &mut right };
-        scratch.push(run[0]);
-        *run = &run[1..];
-    }
-    scratch.extend_from_slice(left);
-    scratch.extend_from_slice(right);
-    std::mem::swap(windows, scratch);
 }
 
 /// What the ends of an edge tell about the windows on it.
@@ -126,6 +114,14 @@ struct Sweep<'a, R> {
 }
 
 impl<R: Rays> Sweep<'_, R> {
+    /// Adds a window, and before it what was cut off and begins before it.
+    fn add_next(&mut self, window: &Window<R>) {
+        while let Some(cut) = self.pending.pop_if(|cut| cut.b0 <= window.b0) {
+            self.add(&cut);
+        }
+        self.add(window);
+    }
+
     /// Adds a window that begins no earlier than any that was added before.
     fn add(&mut self, new: &Window<R>) {
         let Some(old) = self.kept.last_mut() else { return self.kept.push(*new) };
@@ -171,32 +167,34 @@ impl<R: Rays> Sweep<'_, R> {
         }
     }
 
-    /// The last window is final. Drops it if it is empty or a crumb: so narrow that the path beside it is as short. Where
-    /// two windows touch, both are equally far and their difference grows only with the square of the way from there, so
-    /// rounding cuts them into ever more pieces: on bunny they were 1.1 of 2.6 million windows.
-    ///
-    /// A path over a dropped place bends at the nearest kept one, w away, instead. With r the distance from the edge of
-    /// the nearer end of its straight piece that makes it longer by w² / r at most, which must be below the rounding of d.
-    /// Dropped neighbours count as one. Of parallel rays the piece may be as short as w.
+    /// The last window is final. Drops it if it is empty or a crumb; dropped neighbours count as one.
     fn settle_last(&mut self) {
         let Some(w) = self.kept.last() else { return };
-        if w.b0 > self.end {
-            self.run = w.b0;
+        let end = std::mem::replace(&mut self.end, w.b1);
+        // Most windows are far from being a crumb; the root is for the others.
+        if w.b1 - w.b0 < 1e-3 * self.height {
+            let begin = if w.b0 > end { w.b0 } else { smaller(self.run, w.b0) };
+            if is_crumb(w, w.b1 - begin, self.height) {
+                self.run = begin;
+                self.kept.pop();
+                return;
+            }
         }
-        let width = w.b1 - smaller(self.run, w.b0);
-        // Most windows are far from it; the root is for the others.
-        let is_crumb = width < 1e-3 * self.height && {
-            let distance = w.distance(w.b1);
-            let way = if w.rays.are_parallel() { width } else { distance - w.sigma };
-            width * width <= ROUNDING * distance * smaller(self.height, way) || w.b0 >= w.b1
-        };
-        self.end = w.b1;
-        if is_crumb {
-            self.kept.pop();
-        } else {
-            self.run = w.b1;
-        }
+        self.run = w.b1;
     }
+}
+
+/// Whether a window, `width` wide with the dropped ones before it, is empty or a *crumb*: so narrow that the path beside it
+/// is as short. Where two windows touch, both are equally far and their difference grows only with the square of the way
+/// from there, so rounding cuts them into ever more pieces: on bunny they were 1.1 of 2.6 million windows.
+///
+/// A path over a dropped place bends at the nearest kept one, w away, instead. With r the distance from the edge of the
+/// nearer end of its straight piece that makes it longer by w² / r at most, which must be below the rounding of d. Of
+/// parallel rays the piece may be as short as w.
+fn is_crumb<R: Rays>(w: &Window<R>, width: f64, height: f64) -> bool {
+    let distance = w.distance(w.b1);
+    let way = if w.rays.are_parallel() { width } else { distance - w.sigma };
+    width * width <= ROUNDING * distance * smaller(height, way) || w.b0 >= w.b1
 }
 
 /// f64::min and f64::max also look for NaN, which no window has.
@@ -379,24 +377,43 @@ struct Duel {
 
 #[inline]
 fn duel<R: Rays>(old: &Window<R>, new: &Window<R>, [low, high]: [f64; 2]) -> Duel {
-    let gain = |x: f64| old.distance(x) - new.distance(x);
-    let (gain_low, gain_high) = (gain(low), gain(high));
-    let is_new_first = gain_low > 0.0;
-    let change = |until: f64, gain_until: f64| {
-        let root = crossing(old, new, [low, until], [gain_low, gain_until]);
-        Duel { is_new_first, root, until }
+    let sample = |x: f64| {
+        let far = old.distance(x);
+        let gain = far - new.distance(x);
+        (x, if gain.abs() <= EQUAL * far { 0.0 } else { gain })
     };
-    if is_new_first != (gain_high > 0.0) {
-        return change(high, gain_high);
-    }
+    let (mut first, last) = (sample(low), sample(high));
     let between = stationary(old, new);
-    if low < between && between < high {
-        let gain_between = gain(between);
-        if is_new_first != (gain_between > 0.0) {
-            return change(between, gain_between);
+    if !differ(first.1, last.1) && low < between && between < high {
+        let middle = sample(between);
+        if differ(first.1, middle.1) {
+            return change(old, new, first, middle);
+        }
+        if first.1 == 0.0 {
+            first = middle;
         }
     }
+    if differ(first.1, last.1) {
+        return change(old, new, first, last);
+    }
+    let is_new_first = first.1 > 0.0 || first.1 == 0.0 && last.1 > 0.0;
     Duel { is_new_first, root: if is_new_first { new.b1 } else { old.b1 }, until: f64::INFINITY }
+}
+
+/// Distances of one point that differ by this share are the same up to the rounding of the crossings behind. Where the
+/// rays of one window graze a vertex that the other comes from, both are equally far along a ray, and their difference
+/// grows with the square of the way from there: the sign that rounding gives it there is no change of hands. On bunny
+/// such signs cost as many steps of the root finder as all true roots.
+const EQUAL: f64 = 1e-15;
+
+/// Whether one gain is positive and the other negative.
+fn differ(a: f64, b: f64) -> bool {
+    a > 0.0 && b < 0.0 || a < 0.0 && b > 0.0
+}
+
+/// The duel of two windows that change hands between two places, each with the gain of the new one there.
+fn change<R: Rays>(old: &Window<R>, new: &Window<R>, first: (f64, f64), last: (f64, f64)) -> Duel {
+    Duel { is_new_first: first.1 > 0.0, root: crossing(old, new, first, last), until: last.0 }
 }
 
 /// Where the gain of the new window over the old one changes its sign, to the rounding of the distances: Newton's steps
@@ -404,11 +421,11 @@ fn duel<R: Rays>(old: &Window<R>, new: &Window<R>, [low, high]: [f64; 2]) -> Due
 fn crossing<R: Rays>(
     old: &Window<R>,
     new: &Window<R>,
-    [mut low, mut high]: [f64; 2],
-    [gain_low, gain_high]: [f64; 2],
+    (mut low, at_low): (f64, f64),
+    (mut high, at_high): (f64, f64),
 ) -> f64 {
-    const STEPS: usize = 6;
-    let mut x = low + (high - low) * (gain_low / (gain_low - gain_high));
+    const STEPS: usize = 8;
+    let mut x = low + (high - low) * (at_low / (at_low - at_high));
     for step in 0.. {
         if !(x > low && x < high) || step > STEPS {
             x = 0.5 * (low + high);
@@ -416,11 +433,12 @@ fn crossing<R: Rays>(
                 break;
             }
         }
-        let gain = old.distance(x) - new.distance(x);
-        if gain.abs() <= ROUNDING * old.distance(x) {
+        let far = old.distance(x);
+        let gain = far - new.distance(x);
+        if gain.abs() <= EQUAL * far {
             break;
         }
-        if (gain > 0.0) == (gain_low > 0.0) {
+        if (gain > 0.0) == (at_low > 0.0) {
             low = x
         } else {
             high = x

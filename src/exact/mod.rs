@@ -13,6 +13,7 @@
 //! Cost: O(V²) windows in the worst case, about 20 per triangle on scans; the memory grows with the front only.
 
 mod batch;
+mod bends;
 mod charts;
 mod envelope;
 mod join;
@@ -32,7 +33,8 @@ use crate::surface::point::{Place, SurfacePoint};
 use crate::surface::source::{Origin, Seed, Source};
 use crate::surface::target::Target;
 pub use batch::SparseDistances;
-use charts::{Bend, Chart};
+use bends::Bends;
+use charts::Chart;
 use propagate::{Found, Front};
 use std::sync::Arc;
 use stop::{Aim, Stop, Units};
@@ -59,7 +61,7 @@ pub(crate) struct Prepared {
     mesh: Mesh,
     scale: Scale,
     charts: Vec<Chart>,
-    bends: Vec<Bend>,
+    bends: Bends,
     /// Which triangles remember the windows that crossed them.
     remembers: Vec<bool>,
 }
@@ -106,7 +108,7 @@ impl ExactSolver {
         let scale = Scale::of(mesh);
         let charts = charts::charts(mesh, scale);
         let sliver = charts::slivers(&charts);
-        let bends = charts::bends(mesh, &charts, &sliver);
+        let bends = Bends::new(mesh, &charts, &sliver);
         let remembers = charts::remembering(mesh, &charts);
         Ok(ExactSolver(Arc::new(Prepared { mesh: mesh.clone(), scale, charts, bends, remembers })))
     }

@@ -9,11 +9,11 @@
 //! again.
 //!
 //! Before a list crosses (A, B the ends of its edge, C the apex)
-//! - a window is dropped if a path over A or over B is shorter at each of its points (Xin, Wang 2009);
-//! - the windows are trimmed against each other, [`envelope`](super::envelope), where they came over more than one edge;
-//! - p*, the point of AB on the shortest known path to C over this edge, splits the rest: a path that crosses AB left of
-//!   p* and goes to BC meets the segment from p* to C, and from there on is no shorter than the path over p*; so what
-//!   lies left of p* goes to AC only, what lies right of it to CB only. Each list of n windows throws n + 1 at most.
+//! - windows at either end of the list are dropped as long as a path over A or over B is shorter at each of their points
+//!   (Xin, Wang 2009);
+//! - the windows are trimmed against each other, [`envelope`](super::envelope), where they came over more than one edge.
+//!
+//! Each list of n windows throws n + 1 at most, but where two overlap.
 //!
 //! Around *slivers* a straight line may cross triangles for ever without growing longer, and rounding decides on which
 //! side of a vertex it passes. There every vertex is a pseudo-source, ties are dropped, triangles remember what crossed
@@ -24,7 +24,8 @@
 //! propagation", ACM TOG 35 (2016).
 
 use super::Prepared;
-use super::charts::{Bend, Chart, SEVERAL};
+use super::bends::Bend;
+use super::charts::SEVERAL;
 use super::envelope::{Limits, Memory, Scratch, trim};
 use super::stop::{Open, Stop, Watch, rho};
 use super::window::{Entry, Mixed, Rays, Turn, Window};
@@ -35,25 +36,14 @@ use crate::surface::curve::Segment;
 use crate::surface::point::others;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, VecDeque};
-use std::f64::consts::PI;
 
 /// The windows that wait on one half-edge.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 struct List<R> {
     windows: Vec<Window<R>>,
-    /// The shortest path to the apex over any window that arrived, and where it crosses the edge.
-    distance: f64,
-    at: f64,
     is_queued: bool,
     /// How often windows arrived.
     runs: u32,
-}
-
-/// Nothing waits.
-impl<R> Default for List<R> {
-    fn default() -> List<R> {
-        List { windows: Vec::new(), distance: f64::INFINITY, at: 0.0, is_queued: false, runs: 0 }
-    }
 }
 
 /// The last straight piece of a path to a vertex: it comes over the opposite half-edge h of one of its triangles, at the
@@ -152,12 +142,6 @@ impl Kept {
     }
 }
 
-/// A direction this close to the wedge of directions that a path can bend into counts as in it, in radians.
-const WEDGE_PAD: f64 = 1e-3;
-
-/// Paths to the apex over places this close, as a share of the edge, differ by less than rounding: any may be p*.
-const SPLIT_PAD: f64 = 1e-7;
-
 /// The state of one propagation; all lengths in units.
 pub(crate) struct Front<'a, R> {
     pub(super) solver: &'a Prepared,
@@ -186,7 +170,6 @@ pub(crate) struct Front<'a, R> {
     kept: Option<Vec<(u32, Window<R>)>>,
     pub(super) inner: Vec<Inner>,
     scratch: Scratch<R>,
-    corners: Vec<(f64, u32)>,
     crossed: u64,
 }
 
@@ -213,7 +196,6 @@ impl<'a, R: Rays> Front<'a, R> {
             queue: VecDeque::new(),
             memory: HashMap::new(),
             scratch: Scratch::default(),
-            corners: Vec::new(),
             crossed: 0,
         }
     }
@@ -361,13 +343,8 @@ impl<'a, R: Rays> Front<'a, R> {
         for &h in solver.mesh.topology().corners.row(v) {
             self.enqueue(next(h));
         }
-        match solver.bends[v as usize] {
-            Bend::Wedge if !is_source => {
-                let mut corners = std::mem::take(&mut self.corners);
-                self.wedge(v, &mut corners);
-                self.emit(v, corners.iter().map(|&(_, corner)| corner));
-                self.corners = corners;
-            }
+        match solver.bends.at(v) {
+            Bend::Wedge { is_closed } if !is_source => self.emit(v, self.wedge(v, is_closed)),
             Bend::Nowhere if !is_source => {}
             _ => self.emit(v, solver.mesh.topology().corners.row(v).iter().copied()),
         }
@@ -383,25 +360,23 @@ impl<'a, R: Rays> Front<'a, R> {
         }
     }
 
-    /// Walks the edges at v, and throws windows from v through the triangles of some of its corners.
+    /// Goes along the sides of some of the corners at v, and throws windows from v through their triangles.
     fn emit(&mut self, v: u32, corners: impl Iterator<Item = u32>) {
         let solver = self.solver;
         let sigma = self.label[v as usize];
         let came = self.arrival[v as usize].emission;
         let emission = self.add_emission(v, self.emissions[came as usize].source, sigma);
-        for &h in solver.mesh.topology().corners.row(v) {
+        for h in corners {
             let (opposite, back) = (next(h), prev(h));
             let back_length = solver.charts[back as usize].length;
             let from_end = Arrival { h: back, emission, at: back_length, sx: back_length, sy: 0.0 };
             let from_start = Arrival { h, emission, at: 0.0, sx: 0.0, sy: 0.0 };
             self.relax(solver.start(opposite), sigma + solver.charts[h as usize].length, from_end);
             self.relax(solver.start(back), sigma + back_length, from_start);
-        }
-        for h in corners {
-            let chart = solver.charts[next(h) as usize];
+            let chart = solver.charts[opposite as usize];
             let rays = R::default();
             let window = Window { b0: 0.0, b1: chart.length, sx: chart.tx, sy: chart.ty, sigma, emission, rays };
-            self.throw(next(h), window);
+            self.throw(opposite, window);
         }
     }
 
@@ -418,8 +393,8 @@ impl<'a, R: Rays> Front<'a, R> {
                 if window.starts_on_edge(length) && !passed.contains(&g) {
                     passed.push(g);
                     let [left, right] = solver.sides(g);
-                    let to_left = window.left_child(&left.turn, f64::INFINITY);
-                    let to_right = window.right_child(&right.turn, length, f64::NEG_INFINITY);
+                    let to_left = window.left_child(&left.turn);
+                    let to_right = window.right_child(&right.turn, length);
                     for (side, child) in [(left, to_left), (right, to_right)] {
                         self.pass(side.h, side.origin, child.into_iter());
                         thrown.extend(child.map(|child| (side.h, side.origin, child)));
@@ -429,40 +404,15 @@ impl<'a, R: Rays> Front<'a, R> {
         }
     }
 
-    /// The corners at v with directions into which the path that came can bend: at least π from where it came, on both
-    /// sides where there is surface. The shortest paths beyond v leave so, or they would have a shortcut. Each with the
-    /// angle from there to its nearer end, where the triangles close around v.
-    fn wedge(&self, v: u32, corners: &mut Vec<(f64, u32)>) {
+    /// The corners at v, a fan, with directions into which the path that came can bend.
+    fn wedge(&self, v: u32, is_closed: bool) -> impl Iterator<Item = u32> + use<'a, R> {
         let solver = self.solver;
         let Arrival { h, at, .. } = self.arrival[v as usize];
         let chart = solver.charts[h as usize];
-        let first = prev(h);
-        let angle = |h: u32| solver.charts[h as usize].angle;
-        // Of the first corner, from its half-edge to the way the path came.
+        // The angle at the apex from the half-edge that starts there to the way the path came.
         let came = (at * chart.ty).atan2(chart.tx * (chart.tx - at) + chart.ty * chart.ty);
-        let least = PI - WEDGE_PAD;
-        corners.clear();
-        let mut turned = angle(first) - came;
-        let is_closed = solver.turn_around(v, first, prev(first), |corner| {
-            let from = turned;
-            turned += angle(corner);
-            if turned >= least {
-                corners.push((from, corner));
-            }
-        });
-        if is_closed {
-            // Back at the first corner's half-edge, `came` short of a full turn.
-            let most = turned + came - least;
-            corners.retain(|&(from, _)| from <= most);
-        } else {
-            turned = came;
-            solver.turn_around(v, first, first, |corner| {
-                turned += angle(corner);
-                if turned >= least {
-                    corners.push((0.0, corner));
-                }
-            });
-        }
+        let range = solver.mesh.topology().corners.range(v);
+        solver.bends.wedge(&solver.charts, range, is_closed, prev(h), came)
     }
 
     fn is_settled(&self, v: u32) -> bool {
@@ -492,26 +442,23 @@ impl<'a, R: Rays> Front<'a, R> {
         let chart = self.solver.charts[h as usize];
         let apex = self.solver.start(prev(h));
         let is_mirrored = chart.start != origin;
-        let seen = if is_mirrored { Chart { tx: chart.length - chart.tx, ..chart } } else { chart };
+        let mut entry = Entry { distance: self.label[apex as usize], ..Entry::default() };
         let list = self.list_of(h);
         let before = list.windows.len();
-        let mut entry = Entry::default();
+        let mut has_arrived = false;
         for window in windows {
-            entry = window.entry(&seen, entry);
+            let window = if is_mirrored { window.mirrored(chart.length) } else { window };
+            entry = window.entry(&chart, entry);
+            has_arrived = true;
             if !window.starts_on_edge(chart.length) {
                 list.windows.push(window);
             }
         }
         if is_mirrored {
             list.windows[before..].reverse();
-            list.windows[before..].iter_mut().for_each(|window| *window = window.mirrored(chart.length));
-            entry = entry.mirrored(chart.length);
         }
-        if entry.distance == f64::INFINITY {
+        if !has_arrived {
             return self.release(h);
-        }
-        if entry.distance < list.distance {
-            (list.distance, list.at) = (entry.distance, entry.at);
         }
         list.runs += 1;
         self.relax(apex, entry.distance, Arrival::over(h, &entry, &self.emissions));
@@ -543,11 +490,13 @@ impl<'a, R: Rays> Front<'a, R> {
     /// Moves the list of half-edge h over its triangle.
     fn cross(&mut self, h: u32) {
         let id = std::mem::replace(&mut self.waiting[h as usize], NONE);
-        let List { mut windows, distance, at, runs, .. } = std::mem::take(&mut self.lists[id as usize]);
+        let List { mut windows, runs, .. } = std::mem::take(&mut self.lists[id as usize]);
         let solver = self.solver;
         let chart = solver.charts[h as usize];
         let limits = self.limits(h);
-        windows.retain(|window| limits.let_pass(window));
+        // Those that A or B beat lie at the ends: to test the others finds 0.2 % more and costs 8 % of the instructions.
+        windows.truncate(windows.iter().rposition(|window| limits.let_pass(window)).map_or(0, |last| last + 1));
+        windows.drain(..windows.iter().position(|window| limits.let_pass(window)).unwrap_or(0));
         // What arrived at once came over one edge and was trimmed there, or before.
         if runs > 1 {
             trim(&mut windows, chart.ty, &mut self.scratch);
@@ -561,15 +510,9 @@ impl<'a, R: Rays> Front<'a, R> {
         if let Some(kept) = &mut self.kept {
             kept.extend(windows.iter().map(|&window| (h, window)));
         }
-        let split = self.split_point(h, distance, at);
-        let unsure = SPLIT_PAD * chart.length;
         let [left, right] = solver.sides(h);
-        self.pass(left.h, left.origin, windows.iter().filter_map(|w| w.left_child(&left.turn, split + unsure)));
-        self.pass(
-            right.h,
-            right.origin,
-            windows.iter().filter_map(|w| w.right_child(&right.turn, chart.length, split - unsure)),
-        );
+        self.pass(left.h, left.origin, windows.iter().filter_map(|w| w.left_child(&left.turn)));
+        self.pass(right.h, right.origin, windows.iter().filter_map(|w| w.right_child(&right.turn, chart.length)));
         windows.clear();
         self.lists[id as usize].windows = windows;
         self.free.push(id);
@@ -588,21 +531,6 @@ impl<'a, R: Rays> Front<'a, R> {
         let [at_a, at_b] = [h, next(h)].map(|h| self.label[self.solver.start(h) as usize]);
         Limits { at_a, at_b, length: self.solver.charts[h as usize].length }
     }
-
-    /// p*: where the shortest known path over this edge to the apex crosses it: over a window, at `at`, or over an end.
-    fn split_point(&self, h: u32, distance: f64, at: f64) -> f64 {
-        let solver = self.solver;
-        let over_end =
-            |end: u32, side: u32| self.label[solver.start(end) as usize] + solver.charts[side as usize].length;
-        let (over_a, over_b) = (over_end(h, prev(h)), over_end(next(h), next(h)));
-        if over_a < distance && over_a <= over_b {
-            0.0
-        } else if over_b < distance {
-            solver.charts[h as usize].length
-        } else {
-            at
-        }
-    }
 }
 
 impl Prepared {
@@ -614,26 +542,6 @@ impl Prepared {
     /// The half-edges on the edge of h besides h.
     pub(crate) fn others(&self, h: u32) -> impl Iterator<Item = u32> {
         others(&self.mesh, h)
-    }
-
-    /// Tells the corners around `v` behind the corner `first`, whose triangle is left by half-edge `leave`, until the
-    /// first comes again, which it says, or the boundary. There must be no edge of several triangles at v.
-    fn turn_around(&self, v: u32, first: u32, leave: u32, mut tell: impl FnMut(u32)) -> bool {
-        let mut leave = leave;
-        loop {
-            let beyond = self.charts[leave as usize].twin;
-            if beyond == NONE {
-                return false;
-            }
-            // In the next triangle the two half-edges at v are the corner's own and the one before it.
-            let (corner, exit) =
-                if self.start(beyond) == v { (beyond, prev(beyond)) } else { (next(beyond), next(beyond)) };
-            if corner == first {
-                return true;
-            }
-            tell(corner);
-            leave = exit;
-        }
     }
 
     /// The two sides by which windows on half-edge h leave its triangle.

@@ -94,10 +94,10 @@ pub(crate) struct Entry<R> {
     pub(crate) distance: f64,
     pub(crate) at: f64,
     /// As in the window; of parallel rays where the one through `at` would have the distance 0.
-    sx: f64,
-    sy: f64,
+    pub(crate) sx: f64,
+    pub(crate) sy: f64,
     pub(crate) emission: u32,
-    rays: R,
+    pub(crate) rays: R,
 }
 
 /// No path yet.
@@ -108,11 +108,6 @@ impl<R: Rays> Default for Entry<R> {
 }
 
 impl<R: Rays> Entry<R> {
-    /// As seen from the other end of its edge.
-    pub(crate) fn mirrored(&self, length: f64) -> Entry<R> {
-        Entry { at: length - self.at, sx: length - self.sx, ..*self }
-    }
-
     /// Where the path begins: at (sx, -sy), a pseudo-source or, with parallel rays, a place of a curve at this start
     /// distance.
     pub(crate) fn start(&self, start_distance: impl FnOnce() -> f64) -> [f64; 2] {
@@ -168,10 +163,11 @@ impl<R: Rays> Window<R> {
         }
         let near = SAME * (self.sx.abs() + self.sy + self.b1);
         let is_near = |a: f64, b: f64| (a - b).abs() <= near;
-        self.emission == next.emission
-            && next.b0 <= self.b1 + near
-            && is_near(self.sx, next.sx)
+        // The place first: that most have another is easily predicted.
+        is_near(self.sx, next.sx)
             && is_near(self.sy, next.sy)
+            && self.emission == next.emission
+            && next.b0 <= self.b1 + near
     }
 
     /// The same where rays are parallel: they come from one line, the same segment or one behind it.
@@ -199,33 +195,35 @@ impl<R: Rays> Window<R> {
     /// rounding leaves between windows.
     pub(crate) fn entry(&self, chart: &Chart, best: Entry<R>) -> Entry<R> {
         let height = self.sy + self.rays.weight() * chart.ty;
-        // Bent or not, it is no shorter than this.
-        let straight = if self.rays.are_parallel() {
-            self.distance(chart.tx) + self.sy * chart.ty
-        } else {
-            let dx = chart.tx - self.sx;
-            self.sigma + (dx * dx + height * height).sqrt()
-        };
-        if straight >= best.distance {
-            return best;
-        }
         // The straight line to the apex meets the line of the edge at cross / height.
         let cross = self.sy * chart.tx + self.sx * chart.ty;
         let entry = |distance: f64, at: f64| {
+            let Window { emission, rays, .. } = *self;
             let [sx, sy] = self.start_behind(at);
-            Entry { distance, at, sx, sy, emission: self.emission, rays: self.rays }
+            let is_shorter = distance < best.distance;
+            if is_shorter { Entry { distance, at, sx, sy, emission, rays } } else { best }
         };
-        let bent = |at: f64| {
-            let dx = chart.tx - at;
-            let distance = self.distance(at) + (dx * dx + chart.ty * chart.ty).sqrt();
-            if distance < best.distance { entry(distance, at) } else { best }
-        };
-        if cross < self.b0 * height {
-            bent(self.b0)
-        } else if cross > self.b1 * height {
-            bent(self.b1)
+        let is_left = cross < self.b0 * height;
+        if is_left || cross > self.b1 * height {
+            let at = if is_left { self.b0 } else { self.b1 };
+            let (before, behind) = (at - self.sx, chart.tx - at);
+            let behind = behind * behind + chart.ty * chart.ty;
+            if self.rays.are_parallel() {
+                return entry(self.distance(at) + behind.sqrt(), at);
+            }
+            let before = before * before + self.sy * self.sy;
+            // Most windows are no better, which takes no root to see: √u + √v > r where r² < u + v or (r² - u - v)² < 4uv.
+            let left = best.distance - self.sigma;
+            let twice = left * left.abs() - before - behind;
+            if twice < 0.0 || twice * twice < 4.0 * before * behind {
+                return best;
+            }
+            entry(self.sigma + before.sqrt() + behind.sqrt(), at)
+        } else if self.rays.are_parallel() {
+            entry(self.distance(chart.tx) + self.sy * chart.ty, cross / height)
         } else {
-            entry(straight, cross / height)
+            let dx = chart.tx - self.sx;
+            entry(self.sigma + (dx * dx + height * height).sqrt(), cross / height)
         }
     }
 
@@ -239,37 +237,35 @@ impl<R: Rays> Window<R> {
         }
     }
 
-    /// The window that this one throws, through its part before `limit`, on the side from the chart's start to its apex;
-    /// measured from the start. None where no ray arrives there.
+    /// The window that this one throws on the side from the chart's start to its apex, measured from the start. None where
+    /// no ray arrives there.
     ///
     /// The ray through b meets the side at the share b·sy / (b·sy + c - b·(sy + w·ty)) of it, with c = sy·tx + sx·ty: the
     /// twice-areas that the ray leaves to either side. A ray through the apex ends at exactly `side`, so that the windows
     /// to its left and right meet there in the same bits.
-    pub(crate) fn left_child(&self, turn: &Turn, limit: f64) -> Option<Window<R>> {
+    pub(crate) fn left_child(&self, turn: &Turn) -> Option<Window<R>> {
         let cross = self.sy * turn.tx + self.sx * turn.ty;
         let height = self.sy + self.rays.weight() * turn.ty;
-        let last = if limit < self.b1 { limit } else { self.b1 };
-        if self.b0 >= last || self.b0 * height >= cross {
+        if self.b0 >= self.b1 || self.b0 * height >= cross {
             return None;
         }
         let hit = |b: f64| {
             let (near, far) = (b * self.sy, cross - b * height);
             if far > 0.0 { turn.side * (near / (near + far)) } else { turn.side }
         };
-        let (b0, b1) = (hit(self.b0), hit(last));
+        let (b0, b1) = (hit(self.b0), hit(self.b1));
         let [sx, sy] = turn.source(self.sx, self.sy);
         (b0 < b1).then_some(Window { b0, b1, sx, sy, ..*self })
     }
 
-    /// The window that this one throws, through its part beyond `limit`, on the side from the chart's apex to its end;
-    /// measured from the apex. `turn` is the mirrored one, of an edge of this length.
-    pub(crate) fn right_child(&self, turn: &Turn, length: f64, limit: f64) -> Option<Window<R>> {
+    /// The window that this one throws on the side from the chart's apex to its end, measured from the apex. `turn` is the
+    /// mirrored one, of an edge of this length.
+    pub(crate) fn right_child(&self, turn: &Turn, length: f64) -> Option<Window<R>> {
         let weight = self.rays.weight();
         let sx = weight * length - self.sx;
         let cross = self.sy * turn.tx + sx * turn.ty;
         let height = self.sy + weight * turn.ty;
-        let first = if limit > self.b0 { limit } else { self.b0 };
-        if first >= self.b1 || (length - self.b1) * height >= cross {
+        if self.b0 >= self.b1 || (length - self.b1) * height >= cross {
             return None;
         }
         let hit = |b: f64| {
@@ -277,7 +273,7 @@ impl<R: Rays> Window<R> {
             let (near, far) = (b * self.sy, cross - b * height);
             if far > 0.0 { turn.side * (far / (near + far)) } else { 0.0 }
         };
-        let (b0, b1) = (hit(first), hit(self.b1));
+        let (b0, b1) = (hit(self.b0), hit(self.b1));
         let sigma = match self.rays.are_parallel() {
             true => self.distance(length) - sx * turn.tx + self.sy * turn.ty, // at the apex
             false => self.sigma,

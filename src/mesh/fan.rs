@@ -17,19 +17,23 @@ pub(crate) enum Fan {
     Other,
 }
 
-/// How the triangles at `v` lie around it.
-pub(crate) fn fan(mesh: &Mesh, v: u32) -> Fan {
+/// How the triangles at `v` lie around it. If they form one fan `order` gets its corners, each beside the one before.
+pub(crate) fn fan(mesh: &Mesh, v: u32, order: &mut Vec<u32>) -> Fan {
     let corners = mesh.topology().corners.row(v);
+    order.clear();
     let Some(&first) = corners.first() else { return Fan::Other };
-    let (turn, end) = walk(mesh, v, first, first);
-    match end {
-        WalkEnd::Closed if turn == corners.len() => Fan::Closed,
-        WalkEnd::Boundary(_) => match walk(mesh, v, first, prev(first)) {
-            (back, WalkEnd::Boundary(_)) if turn + back - 1 == corners.len() => Fan::Open,
-            _ => Fan::Other,
-        },
-        _ => Fan::Other,
+    order.push(first);
+    let mut fan = match walk(mesh, v, first, first, |corner| order.push(corner)) {
+        WalkEnd::Closed => Fan::Closed,
+        WalkEnd::Boundary(_) => Fan::Open,
+        WalkEnd::NonManifold => Fan::Other,
+    };
+    if fan == Fan::Open {
+        order.reverse();
+        let end = walk(mesh, v, first, prev(first), |corner| order.push(corner));
+        fan = if matches!(end, WalkEnd::Boundary(_)) { Fan::Open } else { Fan::Other };
     }
+    if order.len() == corners.len() { fan } else { Fan::Other }
 }
 
 /// What ends a walk around a vertex.
@@ -44,23 +48,23 @@ pub(crate) enum WalkEnd {
 }
 
 /// Walks around `v` from the corner at half-edge `first`, leaving each triangle by the edge at `v` it was not entered
-/// by, `leave` first: how many corners were visited, and what ended it.
-pub(crate) fn walk(mesh: &Mesh, v: u32, first: u32, leave: u32) -> (usize, WalkEnd) {
+/// by, `leave` first. Tells the corners behind the first, and returns what ended it.
+pub(crate) fn walk(mesh: &Mesh, v: u32, first: u32, leave: u32, mut tell: impl FnMut(u32)) -> WalkEnd {
     let topology = mesh.topology();
-    let (mut leave, mut visited) = (leave, 1);
+    let mut leave = leave;
     loop {
         let beyond = match topology.others(leave) {
-            Others::None => return (visited, WalkEnd::Boundary(leave)),
+            Others::None => return WalkEnd::Boundary(leave),
             Others::One(h) => h,
-            Others::Many => return (visited, WalkEnd::NonManifold),
+            Others::Many => return WalkEnd::NonManifold,
         };
         // In the next triangle the two half-edges at v are the corner's own and the one before it.
         let starts_here = start(mesh.triangles(), beyond) == v;
         let (corner, exit) = if starts_here { (beyond, prev(beyond)) } else { (next(beyond), next(beyond)) };
         if corner == first {
-            return (visited, WalkEnd::Closed);
+            return WalkEnd::Closed;
         }
-        visited += 1;
+        tell(corner);
         leave = exit;
     }
 }

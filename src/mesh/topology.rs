@@ -40,7 +40,12 @@ pub(crate) struct Csr {
 impl Csr {
     /// The list of row `row`.
     pub(crate) fn row(&self, row: u32) -> &[u32] {
-        &self.items[self.start[row as usize] as usize..self.start[row as usize + 1] as usize]
+        &self.items[self.range(row)]
+    }
+
+    /// Where the list of row `row` lies among all items.
+    pub(crate) fn range(&self, row: u32) -> std::ops::Range<usize> {
+        self.start[row as usize] as usize..self.start[row as usize + 1] as usize
     }
 
     /// How many rows there are.

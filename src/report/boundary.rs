@@ -54,7 +54,7 @@ fn follow(mesh: &Mesh, first: u32, v: u32, is_open: &mut [bool]) -> (Vec<u32>, b
         vertices.push(v);
         // The corner at v of the triangle of h, and the triangle's other edge there.
         let (corner, leave) = if start(mesh.triangles(), h) == v { (h, prev(h)) } else { (next(h), next(h)) };
-        match walk(mesh, v, corner, leave).1 {
+        match walk(mesh, v, corner, leave, |_| {}) {
             WalkEnd::Boundary(end) if end == first => return (vertices, true),
             WalkEnd::Boundary(end) => h = end,
             WalkEnd::Closed | WalkEnd::NonManifold => return (vertices, false),

@@ -194,7 +194,9 @@ fn orientable(mesh: &Mesh) -> Vec<bool> {
 }
 
 fn nonmanifold_vertices(mesh: &Mesh) -> Vec<u32> {
-    (0..mesh.topology().corners.rows()).filter(|&v| fan(mesh, v) == Fan::Other && has_several_fans(mesh, v)).collect()
+    let mut order = Vec::new();
+    let mut is_no_fan = |v: u32| fan(mesh, v, &mut order) == Fan::Other;
+    (0..mesh.topology().corners.rows()).filter(|&v| is_no_fan(v) && has_several_fans(mesh, v)).collect()
 }
 
 /// Whether the triangles at `v` fall apart when only those that share an edge at `v` hold together.

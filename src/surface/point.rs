@@ -92,9 +92,10 @@ impl SurfacePoint {
 
     /// A checked point as the engines use it.
     pub(crate) fn as_place(&self, mesh: &Mesh) -> Place {
-        match (0..3).find(|&k| self.barycentric[k as usize] == 1.0) {
-            Some(k) => Place::Vertex(start(mesh.triangles(), 3 * self.face + k)),
-            None => Place::Face(*self),
+        let mut others = (0..3).filter(|&k| self.barycentric[k as usize] != 0.0);
+        match (others.next(), others.next()) {
+            (Some(k), None) => Place::Vertex(start(mesh.triangles(), 3 * self.face + k)),
+            _ => Place::Face(*self),
         }
     }
 
