@@ -1141,7 +1141,8 @@ static void sources_along_curves(void) {
     CHECK(d[0] == 0.75 && d[1] == 1.5 && d[2] == 1.5 && d[3] == 0.75 && d[4] == INFINITY);
     int32_t nearest[5];
     taut_exact_field *field = field_with(&from, NULL);
-    CHECK(taut_exact_field_nearest_sources(field, (taut_output){.data = nearest, .count = 5, .type = TAUT_TYPE_I32}) == 0);
+    const taut_output numbers = {.data = nearest, .count = 5, .type = TAUT_TYPE_I32};
+    CHECK(taut_exact_field_nearest_sources(field, NULL, numbers) == TAUT_STATUS_OK);
     CHECK(nearest[0] == 1 && nearest[1] == 0 && nearest[2] == 0 && nearest[3] == 1 && nearest[4] == -1);
     taut_exact_field_free(field);
 
@@ -1149,7 +1150,8 @@ static void sources_along_curves(void) {
     const uint32_t one = 1;
     double ends[6];
     field = field_with(&from, NULL);
-    CHECK(taut_exact_field_paths(field, indices(&one, 1), &curves) == TAUT_STATUS_OK);
+    const taut_targets to_one = {.struct_size = sizeof to_one, .vertices = indices(&one, 1)};
+    CHECK(taut_exact_field_paths(field, &to_one, NULL, &curves) == TAUT_STATUS_OK);
     CHECK(taut_curves_point_count(curves) == 2 && taut_curves_positions(curves, room(ends, 2)) == TAUT_STATUS_OK);
     CHECK(ends[0] == 3 && ends[1] == 0 && ends[3] == 1.5 && ends[4] == 0);
     taut_curves_free(curves);
