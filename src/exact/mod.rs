@@ -14,6 +14,7 @@ mod batch;
 mod bends;
 mod charts;
 mod envelope;
+mod kept;
 mod propagate;
 mod stop;
 mod trace;
