@@ -17,6 +17,7 @@ mod bends;
 mod charts;
 mod envelope;
 mod join;
+mod kept;
 mod propagate;
 mod segment;
 mod start;

@@ -27,8 +27,9 @@ use super::Prepared;
 use super::bends::Bend;
 use super::charts::SEVERAL;
 use super::envelope::{Limits, Memory, Scratch, trim};
+use super::kept::Kept;
 use super::stop::{Open, Stop, Watch, rho};
-use super::window::{Entry, Mixed, Rays, Turn, Window};
+use super::window::{Entry, Rays, Turn, Window};
 use crate::control::Piece;
 use crate::error::Result;
 use crate::mesh::topology::{NONE, next, prev};
@@ -109,39 +110,6 @@ impl Found {
     }
 }
 
-/// Windows by half-edge.
-#[derive(Debug)]
-pub(crate) struct Kept {
-    start: Vec<usize>,
-    windows: Vec<Window<Mixed>>,
-}
-
-impl Kept {
-    /// By counting sort.
-    fn new<R: Rays>(halfedges: usize, kept: Vec<(u32, Window<R>)>) -> Kept {
-        let mut start = vec![0; halfedges + 1];
-        for &(h, _) in &kept {
-            start[h as usize + 1] += 1;
-        }
-        for h in 0..halfedges {
-            start[h + 1] += start[h];
-        }
-        let Some(&(_, any)) = kept.first() else { return Kept { start, windows: Vec::new() } };
-        let mut next = start.clone();
-        let mut windows = vec![any.mixed(); kept.len()];
-        for (h, window) in kept {
-            windows[next[h as usize]] = window.mixed();
-            next[h as usize] += 1;
-        }
-        Kept { start, windows }
-    }
-
-    /// The windows that entered the triangle of half-edge h over it.
-    pub(crate) fn on(&self, h: u32) -> &[Window<Mixed>] {
-        &self.windows[self.start[h as usize]..self.start[h as usize + 1]]
-    }
-}
-
 /// The state of one propagation; all lengths in units.
 pub(crate) struct Front<'a, R> {
     pub(super) solver: &'a Prepared,
@@ -166,8 +134,8 @@ pub(crate) struct Front<'a, R> {
     queue: VecDeque<u32>,
     /// What crossed each half-edge of the triangles that remember.
     memory: HashMap<u32, Memory<R>>,
-    /// The windows that crossed, each with its half-edge, if they are wanted.
-    kept: Option<Vec<(u32, Window<R>)>>,
+    /// The windows that crossed, if they are wanted.
+    kept: Option<Kept>,
     pub(super) inner: Vec<Inner>,
     scratch: Scratch<R>,
     crossed: u64,
@@ -277,14 +245,14 @@ impl<'a, R: Rays> Front<'a, R> {
             + (self.free.capacity() + self.queue.capacity() + self.reached.capacity()) * size_of::<u32>()
             + self.emissions.capacity() * size_of::<Emission>()
             + self.inner.capacity() * size_of::<Inner>()
-            + self.kept.as_ref().map_or(0, Vec::capacity) * size_of::<(u32, Window<R>)>()
+            + self.kept.as_ref().map_or(0, Kept::bytes)
             + self.memory.capacity() * size_of::<(u32, Memory<R>)>()
             + windows * size_of::<Window<R>>()
     }
 
     /// Keeps every window from now on.
     pub(crate) fn keep_windows(&mut self) {
-        self.kept = Some(Vec::new());
+        self.kept = Some(Kept::default());
     }
 
     /// The vertices that have a label, in no order.
@@ -327,12 +295,12 @@ impl<'a, R: Rays> Front<'a, R> {
         if let Some(kept) = &mut self.kept {
             // Work that ended early leaves windows waiting.
             for (h, &list) in (0..).zip(&self.waiting).filter(|&(_, &list)| list != NONE) {
-                kept.extend(self.lists[list as usize].windows.iter().map(|&window| (h, window)));
+                kept.push(h, &self.lists[list as usize].windows);
             }
+            kept.sort();
         }
         let Front { label, arrival, emissions, kept, mut inner, crossed, .. } = self;
         inner.sort_by_key(|inner| inner.segment.face);
-        let kept = kept.map(|kept| Kept::new(self.solver.charts.len(), kept));
         Found { label, arrival, emissions, kept, inner, crossed }
     }
 
@@ -508,7 +476,7 @@ impl<'a, R: Rays> Front<'a, R> {
         }
         self.crossed += windows.len() as u64;
         if let Some(kept) = &mut self.kept {
-            kept.extend(windows.iter().map(|&window| (h, window)));
+            kept.push(h, &windows);
         }
         let [left, right] = solver.sides(h);
         self.pass(left.h, left.origin, windows.iter().filter_map(|w| w.left_child(&left.turn)));
