@@ -1121,6 +1121,90 @@ static void sources_in_triangles(void) {
     taut_mesh_free(mesh);
 }
 
+/* Isolines and paths are sources as they come. */
+static void sources_along_curves(void) {
+    taut_exact *exact = exact_rectangle();
+    taut_curves *curves = two_lines(); /* at x = 1.5 and at x = 0.75 */
+    uint32_t offsets[3], faces[6], closed[2];
+    double w[18], d[5];
+    CHECK(taut_curves_offsets(curves, (taut_output){.data = offsets, .count = 3}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_faces(curves, (taut_output){.data = faces, .count = 6}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_barycentrics(curves, room(w, 6)) == TAUT_STATUS_OK);
+    CHECK(taut_curves_closed(curves, (taut_output){.data = closed, .count = 2}) == TAUT_STATUS_OK);
+    taut_curves_free(curves);
+    taut_sources from = {.struct_size = sizeof from,
+                         .curve_offsets = indices(offsets, 3),
+                         .curve_faces = indices(faces, 6),
+                         .curve_barycentrics = scalars(w, 6),
+                         .curve_closed = indices(closed, 2)};
+    CHECK(field_of(exact, &from, d) == TAUT_STATUS_OK);
+    CHECK(d[0] == 0.75 && d[1] == 1.5 && d[2] == 1.5 && d[3] == 0.75 && d[4] == INFINITY);
+    int32_t nearest[5];
+    taut_exact_field *field = field_with(&from, NULL);
+    const taut_output numbers = {.data = nearest, .count = 5, .type = TAUT_TYPE_I32};
+    CHECK(taut_exact_field_nearest_sources(field, NULL, numbers) == TAUT_STATUS_OK);
+    CHECK(nearest[0] == 1 && nearest[1] == 0 && nearest[2] == 0 && nearest[3] == 1 && nearest[4] == -1);
+    taut_exact_field_free(field);
+
+    /* The path of vertex 1 goes straight to the line. */
+    const uint32_t one = 1;
+    double ends[6];
+    field = field_with(&from, NULL);
+    const taut_targets to_one = {.struct_size = sizeof to_one, .vertices = indices(&one, 1)};
+    CHECK(taut_exact_field_paths(field, &to_one, NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_point_count(curves) == 2 && taut_curves_positions(curves, room(ends, 2)) == TAUT_STATUS_OK);
+    CHECK(ends[0] == 3 && ends[1] == 0 && ends[3] == 1.5 && ends[4] == 0);
+    taut_curves_free(curves);
+    taut_exact_field_free(field);
+
+    /* Curves come last, and are open where nothing is said. */
+    const uint32_t two = 2;
+    const double starts[] = {0, 0, -1};
+    from.vertices = indices(&two, 1);
+    from.offsets = scalars(starts, 3);
+    from.curve_closed.count = 0;
+    CHECK(field_of(exact, &from, d) == TAUT_STATUS_OK);
+    CHECK(d[0] == -0.25 && d[1] == 1.25 && d[2] == 0 && d[3] == -0.25);
+
+    for (size_t v = 0; v < 5; v++) d[v] = -1;
+    const uint32_t around[] = {1, 0}, no_flag[] = {0, 2};
+    from.curve_closed = indices(around, 2);
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_SOURCE, 1);
+    from.curve_closed = indices(no_flag, 2);
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_SOURCE, 2);
+    from.curve_closed.count = 1;
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    from.curve_closed.count = 0;
+    const uint32_t late[] = {1, 3, 6}, early[] = {0, 3, 5}, empty[] = {0, 0, 6}, back[] = {0, 7, 6};
+    from.curve_offsets = indices(late, 3);
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    from.curve_offsets = indices(early, 3);
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    from.curve_offsets = indices(empty, 3);
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_SOURCE, 1);
+    from.curve_offsets = indices(back, 3);
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_SOURCE, 1);
+    from.curve_offsets.count = 0;
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    from.curve_offsets = indices(offsets, 3);
+    const int64_t negative[] = {1, 0, 0, 0, -1, 0};
+    from.curve_faces = (taut_input){.data = negative, .count = 6, .type = TAUT_TYPE_I64};
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_SOURCE, 2);
+    from.curve_faces = indices(faces, 6);
+    w[5] = NAN;
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_SOURCE, 1);
+    from.curve_barycentrics.count = 5;
+    CHECK_FAILS(field_of(exact, &from, d), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(strstr(taut_last_error(NULL), "sources.curve_barycentrics") != NULL);
+    for (size_t v = 0; v < 5; v++) CHECK(d[v] == -1);
+
+    /* An older caller, whose struct ends before the curves. */
+    from.struct_size = offsetof(taut_sources, curve_offsets);
+    from.offsets.count = 0;
+    CHECK(field_of(exact, &from, d) == TAUT_STATUS_OK && d[2] == 0 && d[0] == 5);
+    taut_exact_free(exact);
+}
+
 static void nearest_sources(void) {
     const uint32_t ends[] = {3, 1};
     const taut_sources from = {.struct_size = sizeof from, .vertices = indices(ends, 2)};
@@ -1678,6 +1762,7 @@ int main(void) {
     closest_points();
     closest_points_fill_all_views_or_none();
     sources_in_triangles();
+    sources_along_curves();
     nearest_sources();
     points_of_a_field();
     paths();

@@ -22,12 +22,16 @@ FIELD(taut_output, count, 8);
 FIELD(taut_output, stride, 16);
 FIELD(taut_output, type, 24);
 
-SIZE(taut_sources, 136);
+SIZE(taut_sources, 264);
 FIELD(taut_sources, struct_size, 0);
 FIELD(taut_sources, vertices, 8);
 FIELD(taut_sources, offsets, 40);
 FIELD(taut_sources, faces, 72);
 FIELD(taut_sources, barycentrics, 104);
+FIELD(taut_sources, curve_offsets, 136);
+FIELD(taut_sources, curve_faces, 168);
+FIELD(taut_sources, curve_barycentrics, 200);
+FIELD(taut_sources, curve_closed, 232);
 
 SIZE(taut_targets, 104);
 FIELD(taut_targets, struct_size, 0);

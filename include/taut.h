@@ -520,9 +520,9 @@ typedef struct {
 } taut_heat_options;
 
 /**
- * Where distances are measured from: vertices, points of the surface, or both, each at its own start distance.
+ * Where distances are measured from: vertices, points of the surface and curves on it, each at its own start distance.
  *
- * Sources are numbered from 0, the vertices first and the points after them: offsets are given, errors named, and
+ * Sources are numbered from 0, the vertices first, then the points, then the curves: offsets are given, errors named, and
  * nearest sources told by this number.
  */
 typedef struct {
@@ -532,7 +532,7 @@ typedef struct {
     taut_input vertices;
     /**
      * Rows of one real number, the start distance of each source in mesh units: finite, of any sign. As many as there
-     * are vertices and points together, or none, which means 0 for all.
+     * are sources of all kinds together, or none, which means 0 for all.
      */
     taut_input offsets;
     /** Rows of one index, a point of the surface each: the triangle in which it lies. */
@@ -542,6 +542,24 @@ typedef struct {
      * their sum 1 up to 1e-6.
      */
     taut_input barycentrics;
+    /**
+     * Rows of one index, where the points of each curve begin and, at last, where they end, as from
+     * `taut_curves_offsets`: curve i has the points from curve_offsets[i] up to, not including, curve_offsets[i + 1], one
+     * at least. The first is 0, the last the number of `curve_faces`. No rows mean no curves.
+     */
+    taut_input curve_offsets;
+    /**
+     * Rows of one index, the points of all curves: the triangle in which each lies, and the segment to the next one with
+     * it. A point on an edge or at a vertex may name any triangle there.
+     */
+    taut_input curve_faces;
+    /** Rows of three real numbers, as many as there are `curve_faces`: the weights of the triangle's corners, as above. */
+    taut_input curve_barycentrics;
+    /**
+     * Rows of one index for each curve, 1 if its last point is joined to its first, else 0; or none, which means 0 for
+     * all.
+     */
+    taut_input curve_closed;
 } taut_sources;
 
 /**
@@ -972,7 +990,8 @@ double taut_heat_time_step(const taut_heat *heat);
  * Computes the distance of every vertex by the heat method: approximate, smooth, fast for many calls.
  *
  * - `heat`: not NULL.
- * - `sources`: where to measure from; not NULL, at least one. A point must be a vertex: one of its weights is 1.
+ * - `sources`: where to measure from; not NULL, at least one. A point must be a vertex: one of its weights is 1;
+ *   curves are refused.
  * - `control`: progress, cancellation and a time limit, or NULL.
  * - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
  *   reaches.

@@ -53,8 +53,10 @@ pub use mesh::io::MeshFormat;
 pub use mesh::shapes;
 pub use report::{Angle, BoundaryLoop, Component, MeshReport, Properties};
 pub use surface::closest::{Closest, ClosestPoint};
+pub use surface::curve::Curve;
 pub use surface::isoline::{Isoline, MAX_LEVELS, even_levels, isolines, spaced_levels};
-pub use surface::point::{Curve, Source, SurfacePoint};
+pub use surface::point::SurfacePoint;
+pub use surface::source::Source;
 pub use surface::target::Target;
 
 /// Keeps the README's program running.

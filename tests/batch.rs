@@ -87,10 +87,12 @@ fn rows_within_a_radius_are_the_near_part_of_fields() {
                 [1, 3].map(|threads| solver.distances_within(&sources, radius, threads, &Control::new()).unwrap());
             assert_eq!(serial, threaded, "{name}");
             assert_eq!(serial.rows(), sources.len());
-            for (i, &source) in sources.iter().enumerate() {
+            for (i, source) in sources.iter().enumerate() {
                 let row = serial.row_start()[i]..serial.row_start()[i + 1];
-                let near: Vec<(u32, f64)> =
-                    (0..).zip(alone(&solver, &[source])).filter(|&(_, d)| d <= radius && d < f64::INFINITY).collect();
+                let near: Vec<(u32, f64)> = (0..)
+                    .zip(alone(&solver, std::slice::from_ref(source)))
+                    .filter(|&(_, d)| d <= radius && d < f64::INFINITY)
+                    .collect();
                 let given: Vec<(u32, f64)> = serial.vertices()[row.clone()]
                     .iter()
                     .copied()

@@ -360,12 +360,12 @@ fn errors_name_the_source_or_target() {
         let error = solver.field(sources, &options, &Control::new()).unwrap_err();
         (error.reason(), error.element())
     };
-    let zero = Source::vertex(0);
+    let zero = || Source::vertex(0);
     assert_eq!(run(&[], &[]), (Reason::NoSource, None));
-    assert_eq!(run(&[zero, Source::vertex(9)], &[]), (Reason::VertexOutOfRange, Some(Element::Source(1))));
-    let nan = zero.with_offset(f64::NAN);
-    assert_eq!(run(&[zero, zero, nan], &[]), (Reason::BadArgument, Some(Element::Source(2))));
-    assert_eq!(run(&[zero], &[3, 9]), (Reason::VertexOutOfRange, Some(Element::Target(1))));
+    assert_eq!(run(&[zero(), Source::vertex(9)], &[]), (Reason::VertexOutOfRange, Some(Element::Source(1))));
+    let nan = zero().with_offset(f64::NAN);
+    assert_eq!(run(&[zero(), zero(), nan], &[]), (Reason::BadArgument, Some(Element::Source(2))));
+    assert_eq!(run(&[zero()], &[3, 9]), (Reason::VertexOutOfRange, Some(Element::Target(1))));
 }
 
 /// A soup of random triangles on few vertices, which lie on a coarse grid or anywhere: edges with many triangles, fans

@@ -409,10 +409,10 @@ fn bad_sources_are_named() {
         (error.reason(), error.element())
     };
     assert_eq!(refused(&[]), (Reason::NoSource, None));
-    let good = Source::vertex(0);
-    assert_eq!(refused(&[good, Source::vertex(25)]), (Reason::VertexOutOfRange, Some(Element::Source(1))));
-    assert_eq!(refused(&[good, good.with_offset(f64::NAN)]), (Reason::BadArgument, Some(Element::Source(1))));
-    let far = [Source::vertex(1).with_offset(1e308), good.with_offset(-1e308)];
+    let good = || Source::vertex(0);
+    assert_eq!(refused(&[good(), Source::vertex(25)]), (Reason::VertexOutOfRange, Some(Element::Source(1))));
+    assert_eq!(refused(&[good(), good().with_offset(f64::NAN)]), (Reason::BadArgument, Some(Element::Source(1))));
+    let far = [Source::vertex(1).with_offset(1e308), good().with_offset(-1e308)];
     assert_eq!(refused(&far), (Reason::BadArgument, Some(Element::Source(0))));
 }
 

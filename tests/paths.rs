@@ -229,6 +229,19 @@ fn points_on_edges_belong_to_every_triangle_there() {
     }
 }
 
+/// A source on an edge of one triangle only.
+#[test]
+fn paths_lead_to_the_boundary() {
+    let mesh = shapes::grid(3, 2).mesh().unwrap();
+    let middle = SurfacePoint { face: 0, barycentric: [0.6, 0.4, 0.0] };
+    assert_eq!(middle.position(&mesh).unwrap()[1], 0.0);
+    let from_middle = field(&mesh, &[Source::point(middle)]);
+    check_vertex_paths(&mesh, &from_middle, 1, "from the boundary");
+    let inside = SurfacePoint { face: 0, barycentric: [0.2, 0.3, 0.5] };
+    let path = from_middle.path(Target::Point(inside)).unwrap().unwrap();
+    check_path(&mesh, &path, from_middle.distance(Target::Point(inside)).unwrap(), "from the boundary");
+}
+
 #[test]
 fn each_place_knows_its_nearest_source() {
     let mut random = Random(4);
@@ -236,7 +249,7 @@ fn each_place_knows_its_nearest_source() {
         let mut sources: Vec<Source> =
             (0..4).map(|_| Source::vertex(random.below(mesh.vertex_count()) as u32)).collect();
         sources.extend((0..4).map(|_| Source::point(random.point(mesh)).with_offset(0.3 * random.next() - 0.1)));
-        let alone: Vec<ExactField> = sources.iter().map(|&source| field(mesh, &[source])).collect();
+        let alone: Vec<ExactField> = sources.iter().map(|source| field(mesh, std::slice::from_ref(source))).collect();
         let together = field(mesh, &sources);
         let nearest: Vec<f64> = (0..mesh.vertex_count())
             .map(|v| alone.iter().map(|field| field.distances()[v]).fold(f64::INFINITY, f64::min))

@@ -27,7 +27,7 @@ pub(crate) struct FieldArgs {
     pub(crate) exact: ExactArgs,
 }
 
-/// Where distances are measured from; sources count from 0, vertices before points.
+/// Where distances are measured from; sources count from 0, vertices before points, and curves last.
 #[derive(Debug, Args)]
 pub(crate) struct SourceArgs {
     /// Source vertex; may be given several times, for the distance to the nearest
@@ -51,6 +51,18 @@ pub(crate) struct SourceArgs {
     ///   F W0 W1 W2 [D]      a point of triangle F by the weights of its corners, which sum to 1
     #[arg(verbatim_doc_comment, long, value_name = "FILE")]
     pub(crate) sources: Option<PathBuf>,
+
+    /// File of curves on the surface, each a source as a whole; may be given several times. One
+    /// point a line, a blank line between curves; # begins a comment:
+    ///   V                   a vertex
+    ///   F W0 W1 W2          a point of triangle F by the weights of its corners
+    ///   X Y Z               the point of the surface nearest to this one
+    /// Points that follow each other are joined within a triangle or by a shortest path. What
+    /// `taut path` prints are such curves; of an .obj file, as `taut path` and `taut isolines`
+    /// write, each polyline is one.
+    /// The exact method knows such sources, the heat method does not
+    #[arg(verbatim_doc_comment, long, value_name = "FILE")]
+    pub(crate) source_curve: Vec<PathBuf>,
 }
 
 /// A point in space on the command line.
@@ -213,8 +225,9 @@ impl FieldArgs {
 impl SourceArgs {
     /// Refuses what clap cannot see by itself.
     pub(crate) fn check(&self) -> Result<(), clap::Error> {
-        if self.source.is_empty() && self.source_at.is_empty() && self.sources.is_none() {
-            let message = "give at least one --source or --source-at, or a file of --sources";
+        let is_given = !self.source.is_empty() || !self.source_at.is_empty();
+        if !is_given && self.sources.is_none() && self.source_curve.is_empty() {
+            let message = "give at least one --source or --source-at, a file of --sources, or one of a --source-curve";
             return Err(Cli::command().error(ErrorKind::MissingRequiredArgument, message));
         }
         Ok(())

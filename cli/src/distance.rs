@@ -1,14 +1,15 @@
 //! `taut distance`: reads, computes, and only then writes, so that a failure leaves nothing behind.
 
+use crate::Result;
 use crate::args::FieldArgs;
 use crate::comparison::{self, Errors};
 use crate::field::Field;
+use crate::input::{self, Places};
 use crate::measured::Seconds;
 use crate::mesh_out::MeshOut;
 use crate::numbers::DISTANCE;
 use crate::output::{self, Output, Report, Timing};
 use crate::picture::{Picture, PictureArgs, Quantity};
-use crate::{Result, input};
 use clap::Args;
 use std::path::PathBuf;
 use taut::{Mesh, Source, Target};
@@ -123,13 +124,14 @@ fn draw<'a>(
     distances: &[f64],
     reference: Option<&[f64]>,
 ) -> Result<Option<Output<'a>>> {
-    let sources = input::places(sources, mesh)?;
+    let places = Places::new(sources, mesh)?;
     let errors = reference.map(|reference| comparison::percents(distances, reference));
     let (quantity, values) = match &errors {
         Some(errors) => (Quantity::Error, &errors[..]),
         None => (Quantity::Distance, distances),
     };
-    args.picture.draw(&Picture { mesh, quantity, values, sources: &sources, levels: None, lines: &[] })
+    let Places { points: sources, lines } = &places;
+    args.picture.draw(&Picture { mesh, quantity, values, sources, levels: None, lines })
 }
 
 fn report(mesh: &Mesh, field: &Field, read: Seconds, error: Option<Errors>) -> Report {

@@ -3,10 +3,11 @@
 use crate::args::FieldArgs;
 use crate::drawing::{Group, LinesOut, Polyline};
 use crate::field::Field;
+use crate::input::{self, Places};
 use crate::measured::{Seconds, measured};
 use crate::output::{self, Timing};
 use crate::picture::{Picture, PictureArgs, Quantity};
-use crate::{Cli, Result, input};
+use crate::{Cli, Result};
 use clap::error::ErrorKind;
 use clap::{ArgGroup, Args, CommandFactory as _};
 use serde::Serialize;
@@ -41,7 +42,7 @@ pub(crate) struct IsolinesArgs {
 
     /// Take the field from this file instead, one number a line for each vertex; inf where there
     /// is none
-    #[arg(verbatim_doc_comment, long, value_name = "FILE", conflicts_with_all = ["source", "source_at", "sources", "method"])]
+    #[arg(verbatim_doc_comment, long, value_name = "FILE", conflicts_with_all = ["source", "source_at", "sources", "source_curve", "method"])]
     values: Option<PathBuf>,
 
     /// This many levels, evenly spread between the least and the greatest value
@@ -126,13 +127,14 @@ pub(crate) fn run(args: &IsolinesArgs) -> Result<()> {
     };
     let (lines, seconds) = measured("lines", |_| Lines::new(args, &mesh, &values));
     let lines = lines.map_err(|error| error.to_string())?;
+    let places = Places::new(&sources, &mesh)?;
     let picture = Picture {
         mesh: &mesh,
         quantity,
         values: &values,
-        sources: &input::places(&sources, &mesh)?,
+        sources: &places.points,
         levels: Some(&lines.levels),
-        lines: &[],
+        lines: &places.lines,
     };
     let file = args.output.as_ref().map(|out| (&*out.path, out.content(&lines.groups, &picture, &args.picture)));
     output::write(&file.into_iter().chain(args.picture.draw(&picture)?).collect::<Vec<_>>())?;

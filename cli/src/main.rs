@@ -6,6 +6,7 @@ mod args;
 mod cells;
 mod compare;
 mod comparison;
+mod curves;
 mod distance;
 mod drawing;
 mod field;

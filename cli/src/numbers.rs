@@ -56,6 +56,6 @@ fn entries<T>(path: &Path, expected: &str, entry: impl Fn(&[&str]) -> Option<T>)
     Ok(entries)
 }
 
-fn number<T: FromStr>(word: &str) -> Option<T> {
+pub(crate) fn number<T: FromStr>(word: &str) -> Option<T> {
     word.parse().ok()
 }

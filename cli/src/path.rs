@@ -1,12 +1,13 @@
 //! `taut path`: shortest paths over the surface, from targets back to their nearest sources.
 
+use crate::Result;
 use crate::args::{ExactArgs, SourceArgs, position};
 use crate::drawing::{Group, LinesOut, Polyline};
 use crate::field::exact_field;
+use crate::input::{self, Places};
 use crate::measured::{Seconds, measured};
 use crate::output::{self, Timing};
 use crate::picture::{Picture, PictureArgs, Quantity};
-use crate::{Result, input};
 use clap::{ArgGroup, Args};
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -112,7 +113,7 @@ pub(crate) fn run(args: &PathArgs) -> Result<()> {
     let (paths, seconds) = measured("paths", |control| paths(&field, &mesh, &targets, control));
     let paths = paths.map_err(|error| error.to_string())?;
 
-    write(args, &mesh, &field, &paths, input::places(&sources, &mesh)?)?;
+    write(args, &mesh, &field, &paths, Places::new(&sources, &mesh)?)?;
     if args.json {
         let timing = PathTiming { field: Timing { read, setup, solve }, paths: seconds };
         return output::json(&Report::new(&mesh, &paths, timing));
@@ -131,15 +132,10 @@ fn paths(field: &ExactField, mesh: &Mesh, targets: &[Target], control: &Control)
 }
 
 /// Writes the files that are asked for.
-fn write(
-    args: &PathArgs,
-    mesh: &Mesh,
-    field: &ExactField,
-    paths: &[Option<Path>],
-    mut ends: Vec<[f64; 3]>,
-) -> Result<()> {
-    let lines: Vec<Vec<[f64; 3]>> = paths.iter().flatten().map(|path| path.positions.clone()).collect();
-    ends.extend(lines.iter().map(|line| line[0]));
+fn write(args: &PathArgs, mesh: &Mesh, field: &ExactField, paths: &[Option<Path>], from: Places) -> Result<()> {
+    let Places { points: mut ends, mut lines } = from;
+    ends.extend(paths.iter().flatten().map(|path| path.positions[0]));
+    lines.extend(paths.iter().flatten().map(|path| path.positions.clone()));
     let picture = Picture {
         mesh,
         quantity: Quantity::Distance,

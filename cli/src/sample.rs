@@ -1,10 +1,11 @@
 //! `taut sample`: vertices spread evenly over the surface.
 
+use crate::Result;
 use crate::args::SourceArgs;
+use crate::input::{self, Places};
 use crate::measured::measured;
 use crate::output::{self, Timing};
 use crate::picture::{Picture, PictureArgs, Quantity};
-use crate::{Result, input};
 use clap::Args;
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -67,11 +68,12 @@ pub(crate) fn run(args: &SampleArgs) -> Result<()> {
     let samples = samples.map_err(|error| error.to_string())?;
 
     let picture = if args.picture.picture.is_some() {
-        let all: Vec<Source> = given.iter().copied().chain(samples.iter().map(|&(v, _)| Source::vertex(v))).collect();
+        let all: Vec<Source> = given.iter().cloned().chain(samples.iter().map(|&(v, _)| Source::vertex(v))).collect();
         let field = solver.field(&all, &ExactOptions::default(), &Control::new()).map_err(|error| error.to_string())?;
-        let (quantity, sources) = (Quantity::Distance, &input::places(&all, &mesh)?[..]);
+        let places = Places::new(&all, &mesh)?;
+        let (quantity, sources) = (Quantity::Distance, &places.points[..]);
         let values = field.distances();
-        args.picture.draw(&Picture { mesh: &mesh, quantity, values, sources, levels: None, lines: &[] })?
+        args.picture.draw(&Picture { mesh: &mesh, quantity, values, sources, levels: None, lines: &places.lines })?
     } else {
         None
     };

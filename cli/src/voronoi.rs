@@ -1,12 +1,13 @@
 //! `taut voronoi`: the nearest source of each vertex, and the cells of the surface that belong to each.
 
+use crate::Result;
 use crate::args::{ExactArgs, SourceArgs};
 use crate::cells::Cells;
 use crate::field::exact_field;
+use crate::input::{self, Places};
 use crate::measured::{Seconds, measured};
 use crate::output::{self, Output, Timing};
 use crate::picture::{CELL_COLOURS, Picture, PictureArgs, Quantity};
-use crate::{Result, input};
 use clap::Args;
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -104,13 +105,14 @@ fn draw<'a>(args: &'a VoronoiArgs, cells: &Cells, mesh: &Mesh, sources: &[Source
     let cut = cells.mesh().map_err(|error| error.to_string())?;
     let colours = cells.colours(sources.len(), CELL_COLOURS);
     let colour = |source: &Option<u32>| source.map_or(f64::NAN, |source| colours[source as usize] as f64);
+    let places = Places::new(sources, mesh)?;
     args.picture.draw(&Picture {
         mesh: &cut,
         quantity: Quantity::Cell,
         values: &cells.nearest.iter().map(colour).collect::<Vec<_>>(),
-        sources: &input::places(sources, mesh)?,
+        sources: &places.points,
         levels: None,
-        lines: &[],
+        lines: &places.lines,
     })
 }
 

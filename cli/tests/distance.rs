@@ -259,6 +259,7 @@ fn help_names_every_option() {
         "<MESH>",
         "--source",
         "--sources",
+        "--source-curve",
         "--method",
         "--time-step",
         "--time-scale",

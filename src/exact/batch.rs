@@ -8,11 +8,13 @@
 //! reach is only what is nearer to it than to all samples before.
 
 use super::stop::Stop;
-use super::{ExactSolver, Front, Prepared, check_radius};
+use super::window::{Mixed, Rays, Spreading};
+use super::{ExactSolver, Front, Prepared, check_radius, has_curves};
 use crate::control::{Control, Piece};
 use crate::error::{Element, Result};
 use crate::mesh::Mesh;
-use crate::surface::point::{Seed, Source};
+use crate::surface::point::Place;
+use crate::surface::source::{Origin, Seed, Source};
 use std::num::NonZero;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -67,11 +69,10 @@ impl ExactSolver {
     pub fn distance_rows(&self, sets: &[Vec<Source>], threads: usize, control: &Control) -> Result<Vec<Vec<f64>>> {
         let mesh = &self.0.mesh;
         let sets = checked_sets(sets, mesh)?;
-        self.0.rows(sets.len(), threads, control, |front, row, control| {
-            let (units, _, ended) = self.0.propagate(front, &sets[row], f64::INFINITY, &[], control);
-            ended?;
-            Ok((0..).take(mesh.vertex_count()).map(|v| units.to_mesh(front.label(v))).collect())
-        })
+        match has_curves(sets.iter().flatten()) {
+            false => self.0.distance_rows::<Spreading>(&sets, threads, control),
+            true => self.0.distance_rows::<Mixed>(&sets, threads, control),
+        }
     }
 
     /// The distances up to `radius` from each of several sources, in mesh units: one row per source, start distances
@@ -94,14 +95,10 @@ impl ExactSolver {
             [] => Vec::new(),
             _ => Source::checked(sources, &self.0.mesh)?,
         };
-        let rows = self.0.rows(seeds.len(), threads, control, |front, row, control| {
-            let (units, _, ended) = self.0.propagate(front, &seeds[row..=row], radius, &[], control);
-            ended?;
-            let near = front.reached().iter().map(|&v| (v, units.to_mesh(front.label(v))));
-            let mut near: Vec<(u32, f64)> = near.filter(|&(_, distance)| distance <= radius).collect();
-            near.sort_unstable_by_key(|&(v, _)| v);
-            Ok(near)
-        })?;
+        let rows = match has_curves(&seeds) {
+            false => self.0.near_rows::<Spreading>(&seeds, radius, threads, control)?,
+            true => self.0.near_rows::<Mixed>(&seeds, radius, threads, control)?,
+        };
         let mut all = SparseDistances { row_start: vec![0], vertices: Vec::new(), distances: Vec::new() };
         for row in rows {
             all.vertices.extend(row.iter().map(|&(v, _)| v));
@@ -120,26 +117,11 @@ impl ExactSolver {
     /// # Errors
     /// As [`ExactSolver::field`].
     pub fn farthest_points(&self, first: &[Source], count: usize, control: &Control) -> Result<Vec<(u32, f64)>> {
-        let prepared = &*self.0;
-        let seeds = Source::checked(first, &prepared.mesh)?;
-        let mut front = Front::new(prepared);
-        let share = |done: usize| done as f64 / count as f64;
-        // Samples start at 0, which must not be below the least start distance.
-        let least = seeds.iter().map(|seed| seed.offset).fold(0.0, f64::min);
-        let units = prepared.begin(&mut front, &seeds, least);
-        let nothing = units.scale.to_unit(-least); // the label of a sample
-        let mut sources = seeds.len() as u32; // fits: sources are numbered by u32
-        let mut samples = Vec::new();
-        while samples.len() < count {
-            let piece = Piece::between(control, share(samples.len()), share(samples.len() + 1));
-            front.run(&mut Stop::new(units, f64::INFINITY, &[]), piece).1?;
-            let Some((v, label)) = prepared.farthest(&front, nothing) else { break };
-            samples.push((v, units.to_mesh(label)));
-            front.start(v, nothing, sources);
-            sources = sources.saturating_add(1);
+        let seeds = Source::checked(first, &self.0.mesh)?;
+        match has_curves(&seeds) {
+            false => self.0.farthest_points::<Spreading>(&seeds, count, control),
+            true => self.0.farthest_points::<Mixed>(&seeds, count, control),
         }
-        control.report(1.0);
-        Ok(samples)
     }
 }
 
@@ -158,8 +140,56 @@ fn checked_sets(sets: &[Vec<Source>], mesh: &Mesh) -> Result<Vec<Vec<Seed>>> {
 }
 
 impl Prepared {
+    /// The distances of all vertices from each set.
+    fn distance_rows<R: Rays>(&self, sets: &[Vec<Seed>], threads: usize, control: &Control) -> Result<Vec<Vec<f64>>> {
+        self.rows(sets.len(), threads, control, |front: &mut Front<R>, row, control| {
+            let (units, _, ended) = self.propagate(front, &sets[row], f64::INFINITY, &[], control);
+            ended?;
+            Ok((0..).take(self.mesh.vertex_count()).map(|v| units.to_mesh(front.label(v))).collect())
+        })
+    }
+
+    /// The vertices near each source, in ascending order, each with its distance.
+    fn near_rows<R: Rays>(
+        &self,
+        seeds: &[Seed],
+        radius: f64,
+        threads: usize,
+        control: &Control,
+    ) -> Result<Vec<Vec<(u32, f64)>>> {
+        self.rows(seeds.len(), threads, control, |front: &mut Front<R>, row, control| {
+            let (units, _, ended) = self.propagate(front, &seeds[row..=row], radius, &[], control);
+            ended?;
+            let near = front.reached().iter().map(|&v| (v, units.to_mesh(front.label(v))));
+            let mut near: Vec<(u32, f64)> = near.filter(|&(_, distance)| distance <= radius).collect();
+            near.sort_unstable_by_key(|&(v, _)| v);
+            Ok(near)
+        })
+    }
+
+    fn farthest_points<R: Rays>(&self, seeds: &[Seed], count: usize, control: &Control) -> Result<Vec<(u32, f64)>> {
+        let mut front = Front::<R>::new(self);
+        let share = |done: usize| done as f64 / count as f64;
+        // Samples start at 0, which must not be below the least start distance.
+        let least = seeds.iter().map(|seed| seed.offset).fold(0.0, f64::min);
+        let units = self.begin(&mut front, seeds, least);
+        let nothing = units.scale.to_unit(-least); // the label of a sample
+        let mut sources = seeds.len() as u32; // fits: sources are numbered by u32
+        let mut samples = Vec::new();
+        while samples.len() < count {
+            let piece = Piece::between(control, share(samples.len()), share(samples.len() + 1));
+            front.run(&mut Stop::new(units, f64::INFINITY, &[]), piece).1?;
+            let Some((v, label)) = self.farthest(&front, nothing) else { break };
+            samples.push((v, units.to_mesh(label)));
+            front.start(&Origin::Place(Place::Vertex(v)), nothing, sources);
+            sources = sources.saturating_add(1);
+        }
+        control.report(1.0);
+        Ok(samples)
+    }
+
     /// The vertex of a triangle with the largest label, if one has more than `nothing`.
-    fn farthest(&self, front: &Front, nothing: f64) -> Option<(u32, f64)> {
+    fn farthest<R: Rays>(&self, front: &Front<R>, nothing: f64) -> Option<(u32, f64)> {
         let corners = &self.mesh.topology().corners;
         let on_surface = (0..corners.rows()).filter(|&v| !corners.row(v).is_empty());
         let farther = |best: Option<(u32, f64)>, v: u32| {
@@ -170,13 +200,13 @@ impl Prepared {
     }
 
     /// Computes rows on several threads, each with a front of its own that is clear at the start of a row.
-    fn rows<R: Send>(
+    fn rows<R: Rays, Row: Send>(
         &self,
         count: usize,
         threads: usize,
         control: &Control,
-        row: impl Fn(&mut Front, usize, Piece) -> Result<R> + Sync,
-    ) -> Result<Vec<R>> {
+        row: impl Fn(&mut Front<R>, usize, Piece) -> Result<Row> + Sync,
+    ) -> Result<Vec<Row>> {
         let threads = if threads == 0 { thread::available_parallelism().map_or(1, NonZero::get) } else { threads };
         let threads = threads.min(MOST_THREADS).min(count);
         let (next, done, is_over) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicBool::new(false));

@@ -3,7 +3,8 @@
 //! Two windows are equally far where σ₁ + |S₁ - x| = σ₂ + |S₂ - x|. Along the edge the difference of the two sides has
 //! at most one stationary point, where both pseudo-sources are seen under the same angle, so its signs at both ends of
 //! the overlap and at that point tell every change of sign; each root is then found inside a bracket whose signs are
-//! proven, and nothing is left to a failing formula.
+//! proven, and nothing is left to a failing formula. Parallel rays are seen under one angle everywhere, other rays under
+//! each angle once, and so that holds for them too; the difference of two windows of parallel rays is linear.
 //!
 //! Small overlaps are left alone, because to find where they change hands costs more than it saves, and *crumbs*, windows
 //! so narrow that rounding made them, are dropped.
@@ -16,14 +17,24 @@
 //!
 //! Reference: Mitchell, Mount, Papadimitriou 1987 (section 3, intervals of optimality).
 
-use super::window::Window;
+use super::window::{Rays, Window};
+
+/// More windows than this are trimmed by halves first: where all overlap, as those of many sources in one triangle do,
+/// their number is then that of what survives soon, and not squared in time.
+const MANY: usize = 512;
 
 /// Trims the windows of one half-edge in place; `height` is that of its triangle, `scratch` is overwritten.
-pub(crate) fn trim(windows: &mut Vec<Window>, height: f64, scratch: &mut Scratch) {
+pub(crate) fn trim<R: Rays>(windows: &mut Vec<Window<R>>, height: f64, scratch: &mut Scratch<R>) {
+    if windows.len() > MANY {
+        let mut half = windows.split_off(windows.len() / 2);
+        trim(windows, height, scratch);
+        trim(&mut half, height, scratch);
+        windows.append(&mut half);
+    }
     let Scratch { kept, pending } = scratch;
     kept.clear();
     let mut sweep = Sweep { kept, pending, height, run: f64::NEG_INFINITY, end: f64::NEG_INFINITY };
-    let begins_before = |a: &Window, b: &Window| a.b0 <= b.b0;
+    let begins_before = |a: &Window<R>, b: &Window<R>| a.b0 <= b.b0;
     // They come in two sorted runs at most, one for each side of the triangle before, but for a few.
     let second =
         windows.windows(2).position(|pair| !begins_before(&pair[0], &pair[1])).map_or(windows.len(), |i| i + 1);
@@ -58,9 +69,12 @@ pub(crate) struct Limits {
 impl Limits {
     /// Whether no path over an end is shorter at each point of the window: by the triangle inequality it is if it is at
     /// the far end of the window.
-    pub(crate) fn let_pass(&self, w: &Window) -> bool {
+    pub(crate) fn let_pass<R: Rays>(&self, w: &Window<R>) -> bool {
         let (over_a, over_b) = (self.at_a + w.b1, self.at_b + (self.length - w.b0));
         let reaches = |x: f64, limit: f64| {
+            if w.rays.are_parallel() {
+                return w.distance(x) <= limit;
+            }
             let (dx, left) = (x - w.sx, limit - w.sigma);
             left >= 0.0 && dx * dx + w.sy * w.sy <= left * left
         };
@@ -74,14 +88,14 @@ const WORTH_A_CUT: f64 = 0.1;
 
 /// Buffers of [`trim`].
 #[derive(Debug, Default)]
-pub(crate) struct Scratch {
+pub(crate) struct Scratch<R> {
     /// Sorted.
-    kept: Vec<Window>,
+    kept: Vec<Window<R>>,
     /// Parts that were cut off, the one that begins first at the end.
-    pending: Vec<Window>,
+    pending: Vec<Window<R>>,
 }
 
-impl Scratch {
+impl<R> Scratch<R> {
     /// For how many windows memory is taken.
     pub(crate) fn capacity(&self) -> usize {
         self.kept.capacity() + self.pending.capacity()
@@ -89,19 +103,19 @@ impl Scratch {
 }
 
 /// Windows from left to right. All but the last that was added are final, so that it is enough to look at that one.
-struct Sweep<'a> {
-    kept: &'a mut Vec<Window>,
+struct Sweep<'a, R> {
+    kept: &'a mut Vec<Window<R>>,
     /// Parts that were cut off, the one that begins first at the end.
-    pending: &'a mut Vec<Window>,
+    pending: &'a mut Vec<Window<R>>,
     height: f64,
     /// Where the dropped neighbours of the next crumb begin, and where the last final window ended.
     run: f64,
     end: f64,
 }
 
-impl Sweep<'_> {
+impl<R: Rays> Sweep<'_, R> {
     /// Adds a window, and before it what was cut off and begins before it.
-    fn add_next(&mut self, window: &Window) {
+    fn add_next(&mut self, window: &Window<R>) {
         while let Some(cut) = self.pending.pop_if(|cut| cut.b0 <= window.b0) {
             self.add(&cut);
         }
@@ -109,7 +123,7 @@ impl Sweep<'_> {
     }
 
     /// Adds a window that begins no earlier than any that was added before.
-    fn add(&mut self, new: &Window) {
+    fn add(&mut self, new: &Window<R>) {
         let Some(old) = self.kept.last_mut() else { return self.kept.push(*new) };
         if old.continues_in(new) {
             old.b1 = larger(old.b1, new.b1);
@@ -126,7 +140,7 @@ impl Sweep<'_> {
 
     /// Shares out the overlap of the last window and the one that is added. What is cut off behind the first change of
     /// hands waits for its turn: windows may still come before it.
-    fn share(&mut self, mut new: Window, high: f64) {
+    fn share(&mut self, mut new: Window<R>, high: f64) {
         let Some(old) = self.kept.last_mut() else { return };
         let Duel { is_new_first, root, until } = duel(old, &new, [new.b0, high]);
         let cut = Window { b0: until, ..if is_new_first { new } else { *old } };
@@ -146,7 +160,7 @@ impl Sweep<'_> {
     }
 
     /// Lets what was cut off wait for its turn.
-    fn wait(&mut self, cut: Window) {
+    fn wait(&mut self, cut: Window<R>) {
         if cut.b0 < cut.b1 {
             let place = self.pending.iter().rposition(|other| other.b0 >= cut.b0).map_or(0, |i| i + 1);
             self.pending.insert(place, cut);
@@ -175,10 +189,12 @@ impl Sweep<'_> {
 /// from there, so rounding cuts them into ever more pieces: on bunny they were 1.1 of 2.6 million windows.
 ///
 /// A path over a dropped place bends at the nearest kept one, w away, instead. With r the distance from the edge of the
-/// nearer end of its straight piece that makes it longer by w² / r at most, which must be below the rounding of d.
-fn is_crumb(w: &Window, width: f64, height: f64) -> bool {
+/// nearer end of its straight piece that makes it longer by w² / r at most, which must be below the rounding of d. Of
+/// parallel rays the piece may be as short as w.
+fn is_crumb<R: Rays>(w: &Window<R>, width: f64, height: f64) -> bool {
     let distance = w.distance(w.b1);
-    width * width <= ROUNDING * distance * smaller(height, distance - w.sigma) || w.b0 >= w.b1
+    let way = if w.rays.are_parallel() { width } else { distance - w.sigma };
+    width * width <= ROUNDING * distance * smaller(height, way) || w.b0 >= w.b1
 }
 
 /// f64::min and f64::max also look for NaN, which no window has.
@@ -204,12 +220,12 @@ const TIE: f64 = 1e-14;
 /// changes no faster than the way along the edge. A ray that comes back to an edge that it has crossed is no shorter than
 /// from there along the edge: it is no news, wherever it comes back, and no ray crosses a half-edge twice.
 #[derive(Debug, Default)]
-pub(crate) struct Memory {
+pub(crate) struct Memory<R> {
     /// Disjoint and sorted.
-    windows: Vec<Window>,
+    windows: Vec<Window<R>>,
 }
 
-impl Memory {
+impl<R: Rays> Memory<R> {
     /// For how many windows memory is taken.
     pub(crate) fn capacity(&self) -> usize {
         self.windows.capacity()
@@ -219,16 +235,17 @@ impl Memory {
     /// the triangle is longer than `longest`.
     pub(crate) fn keep_news(
         &mut self,
-        windows: &mut Vec<Window>,
+        windows: &mut Vec<Window<R>>,
         limits: &Limits,
         longest: f64,
-        scratch: &mut Scratch,
+        scratch: &mut Scratch<R>,
     ) {
         let Some(&any) = windows.first() else { return };
         let Limits { at_a, at_b, length } = *limits;
         let tie = |distance: f64| TIE * (distance + longest);
-        self.go_right(&Window { b1: 0.0, sx: 0.0, sy: 0.0, sigma: at_a, ..any }, length, tie(at_a));
-        self.go_left(&Window { b0: length, sx: length, sy: 0.0, sigma: at_b, ..any }, tie(at_b));
+        let any = Window { sy: 0.0, rays: R::default(), ..any };
+        self.go_right(&Window { b1: 0.0, sx: 0.0, sigma: at_a, ..any }, length, tie(at_a));
+        self.go_left(&Window { b0: length, sx: length, sigma: at_b, ..any }, tie(at_b));
         let news = &mut scratch.kept;
         news.clear();
         for window in windows.iter() {
@@ -245,9 +262,9 @@ impl Memory {
 
     /// Remembers the way along the edge from the right end of a window, up to where another is shorter; from there on it
     /// is shorter everywhere.
-    fn go_right(&mut self, window: &Window, length: f64, tie: f64) {
+    fn go_right(&mut self, window: &Window<R>, length: f64, tie: f64) {
         let at = window.b1;
-        let along = Window { b0: at, sx: at, sy: 0.0, sigma: window.distance(at), ..*window };
+        let along = Window { b0: at, sx: at, sy: 0.0, sigma: window.distance(at), rays: R::default(), ..*window };
         let first = self.windows.partition_point(|old| old.b1 <= at);
         let beyond = self.windows[first..].iter().map(|old| (old, old.b0.max(at)));
         let end = beyond.into_iter().find(|&(old, x)| old.distance(x) <= along.distance(x) + 0.5 * tie);
@@ -256,9 +273,9 @@ impl Memory {
     }
 
     /// The same from the left end.
-    fn go_left(&mut self, window: &Window, tie: f64) {
+    fn go_left(&mut self, window: &Window<R>, tie: f64) {
         let at = window.b0;
-        let along = Window { b1: at, sx: at, sy: 0.0, sigma: window.distance(at), ..*window };
+        let along = Window { b1: at, sx: at, sy: 0.0, sigma: window.distance(at), rays: R::default(), ..*window };
         let last = self.windows.partition_point(|old| old.b0 < at);
         let before = self.windows[..last].iter().rev().map(|old| (old, old.b1.min(at)));
         let start = before.into_iter().find(|&(old, x)| old.distance(x) <= along.distance(x) + 0.5 * tie);
@@ -269,7 +286,7 @@ impl Memory {
 
 /// Inserts a window into a disjoint sorted list, at the points where it is shorter by more than `tie`; those pieces of
 /// it go to `won` as well.
-fn insert(disjoint: &mut Vec<Window>, new: &Window, tie: f64, mut won: impl FnMut(Window)) {
+fn insert<R: Rays>(disjoint: &mut Vec<Window<R>>, new: &Window<R>, tie: f64, mut won: impl FnMut(Window<R>)) {
     if new.b0 >= new.b1 {
         return;
     }
@@ -302,18 +319,18 @@ fn insert(disjoint: &mut Vec<Window>, new: &Window, tie: f64, mut won: impl FnMu
 }
 
 /// A part of a window while two sets of windows are merged.
-struct Piece {
-    window: Window,
+struct Piece<R> {
+    window: Window<R>,
     is_new: bool,
 }
 
 /// Pieces from left to right.
 #[derive(Default)]
-struct Pieces(Vec<Piece>);
+struct Pieces<R>(Vec<Piece<R>>);
 
-impl Pieces {
+impl<R: Rays> Pieces<R> {
     /// Appends [from, to] of a window, if that is not empty; to the last piece where it continues that one.
-    fn push(&mut self, window: &Window, is_new: bool, from: f64, to: f64) {
+    fn push(&mut self, window: &Window<R>, is_new: bool, from: f64, to: f64) {
         if from >= to {
             return;
         }
@@ -328,7 +345,7 @@ impl Pieces {
 }
 
 /// Shares out the overlap of two windows, if the new one is nearer by more than `tie` somewhere.
-fn contest(pieces: &mut Pieces, old: &Window, new: &Window, tie: f64) {
+fn contest<R: Rays>(pieces: &mut Pieces<R>, old: &Window<R>, new: &Window<R>, tie: f64) {
     let (mut low, high) = (old.b0.max(new.b0), old.b1.min(new.b1));
     let wins = |x: f64| old.distance(x) - new.distance(x) > tie;
     let between = stationary(old, new);
@@ -344,9 +361,10 @@ fn contest(pieces: &mut Pieces, old: &Window, new: &Window, tie: f64) {
     }
 }
 
-/// Where the difference of two distances is stationary, seen under one angle: (x - s1x) / s1y = (x - s2x) / s2y.
-fn stationary(old: &Window, new: &Window) -> f64 {
-    (old.sx * new.sy - new.sx * old.sy) / (new.sy - old.sy)
+/// Where the difference of two distances is stationary, seen under one angle: (w1 x - s1x) / s1y = (w2 x - s2x) / s2y.
+/// Not finite where there is no such place, as between two bundles of parallel rays.
+fn stationary<R: Rays>(old: &Window<R>, new: &Window<R>) -> f64 {
+    (old.sx * new.sy - new.sx * old.sy) / (old.rays.weight() * new.sy - new.rays.weight() * old.sy)
 }
 
 /// Who is nearer along an overlap: one up to the root, and the other from there until some place. Where hands change once
@@ -358,7 +376,7 @@ struct Duel {
 }
 
 #[inline]
-fn duel(old: &Window, new: &Window, [low, high]: [f64; 2]) -> Duel {
+fn duel<R: Rays>(old: &Window<R>, new: &Window<R>, [low, high]: [f64; 2]) -> Duel {
     let sample = |x: f64| {
         let far = old.distance(x);
         let gain = far - new.distance(x);
@@ -394,13 +412,18 @@ fn differ(a: f64, b: f64) -> bool {
 }
 
 /// The duel of two windows that change hands between two places, each with the gain of the new one there.
-fn change(old: &Window, new: &Window, first: (f64, f64), last: (f64, f64)) -> Duel {
+fn change<R: Rays>(old: &Window<R>, new: &Window<R>, first: (f64, f64), last: (f64, f64)) -> Duel {
     Duel { is_new_first: first.1 > 0.0, root: crossing(old, new, first, last), until: last.0 }
 }
 
 /// Where the gain of the new window over the old one changes its sign, to the rounding of the distances: Newton's steps
 /// inside a bracket whose signs are proven, and halves where they lead out of it.
-fn crossing(old: &Window, new: &Window, (mut low, at_low): (f64, f64), (mut high, at_high): (f64, f64)) -> f64 {
+fn crossing<R: Rays>(
+    old: &Window<R>,
+    new: &Window<R>,
+    (mut low, at_low): (f64, f64),
+    (mut high, at_high): (f64, f64),
+) -> f64 {
     const STEPS: usize = 8;
     let mut x = low + (high - low) * (at_low / (at_low - at_high));
     for step in 0.. {
@@ -410,11 +433,9 @@ fn crossing(old: &Window, new: &Window, (mut low, at_low): (f64, f64), (mut high
                 break;
             }
         }
-        let (to_old, to_new) = (x - old.sx, x - new.sx);
-        let far_old = (to_old * to_old + old.sy * old.sy).sqrt();
-        let far_new = (to_new * to_new + new.sy * new.sy).sqrt();
-        let gain = (old.sigma + far_old) - (new.sigma + far_new);
-        if gain.abs() <= EQUAL * (old.sigma + far_old) {
+        let far = old.distance(x);
+        let gain = far - new.distance(x);
+        if gain.abs() <= EQUAL * far {
             break;
         }
         if (gain > 0.0) == (at_low > 0.0) {
@@ -422,7 +443,7 @@ fn crossing(old: &Window, new: &Window, (mut low, at_low): (f64, f64), (mut high
         } else {
             high = x
         }
-        x -= gain / (to_old / far_old - to_new / far_new);
+        x -= gain / (old.slope(x) - new.slope(x));
     }
     x
 }

@@ -3,10 +3,12 @@
 //! A shortest path is straight inside each triangle and across each edge once the triangles are unfolded, and bends only
 //! at *pseudo-sources*: vertices with more than 2π of surface around them, reflex boundary corners, places that are not
 //! manifold. Bundles of such straight lines travel over the mesh as [windows](window); where they meet, the shorter one
-//! survives. Distances are exact up to rounding, about 1e-15 of the largest on ordinary meshes.
+//! survives. Distances are exact up to rounding, about 1e-15 of the largest on ordinary meshes. Sources are vertices, points
+//! and curves.
 //!
-//! Data path: [`charts`] (each triangle laid flat) -> [`propagate`] (windows cross triangles; [`envelope`] trims them;
-//! [`stop`] ends it early) -> labels of the vertices -> [`trace`] (any point; paths). [`batch`] does many at once.
+//! Data path: [`charts`] (each triangle laid flat) -> [`start`] (windows leave the sources) -> [`propagate`] (they cross
+//! triangles; [`envelope`] trims them; [`stop`] ends it early) -> labels of the vertices -> [`trace`] (any point; paths).
+//! [`batch`] does many at once, [`join`] makes curves.
 //!
 //! Cost: O(V²) windows in the worst case, about 20 per triangle on scans; the memory grows with the front only.
 
@@ -14,8 +16,11 @@ mod batch;
 mod bends;
 mod charts;
 mod envelope;
+mod join;
 mod kept;
 mod propagate;
+mod segment;
+mod start;
 mod stop;
 mod trace;
 mod window;
@@ -24,7 +29,9 @@ use crate::control::{Control, Piece};
 use crate::error::{Element, Error, Reason, Result};
 use crate::mesh::Mesh;
 use crate::metric::Scale;
-use crate::surface::point::{Curve, Place, Seed, Source, SurfacePoint};
+use crate::surface::curve::Curve;
+use crate::surface::point::{Place, SurfacePoint};
+use crate::surface::source::{Origin, Seed, Source};
 use crate::surface::target::Target;
 pub use batch::SparseDistances;
 use bends::Bends;
@@ -33,6 +40,7 @@ use propagate::{Found, Front};
 use std::sync::Arc;
 use stop::{Aim, Stop, Units};
 use trace::{Best, Trace};
+use window::{Mixed, Rays, Spreading};
 
 /// A mesh prepared for exact distances. Clones share the preparation; any number of threads may use one.
 ///
@@ -120,16 +128,15 @@ impl ExactSolver {
         let seeds = Source::checked(sources, &self.0.mesh)?;
         let aims = self.0.aims(&options.targets)?;
         check_radius(options.radius)?;
-        let mut front = Front::new(&self.0);
-        if options.keep_windows {
-            front.keep_windows();
-        }
-        let (units, rho, ended) = self.0.propagate(&mut front, &seeds, options.radius, &aims, Piece::whole(control));
+        let control = Piece::whole(control);
+        let (found, units, rho, ended) = match has_curves(&seeds) {
+            false => self.0.find::<Spreading>(&seeds, &aims, options, control),
+            true => self.0.find::<Mixed>(&seeds, &aims, options, control),
+        };
         let interruption = match ended {
             Err(error) if !options.allow_partial => return Err(error),
             ended => ended.err(),
         };
-        let found = front.finish();
         let mut distances: Vec<f64> = found.label.iter().map(|&label| units.to_mesh(label)).collect();
         let final_radius = units.final_radius(rho).min(options.radius);
         let mut is_cut = rho < f64::INFINITY;
@@ -143,10 +150,26 @@ impl ExactSolver {
 }
 
 impl Prepared {
-    /// Propagates from checked sources, on a front without any. Returns its units and ρ: labels below it are final.
-    fn propagate(
+    /// What there is to find from checked sources; its units and ρ.
+    fn find<R: Rays>(
         &self,
-        front: &mut Front,
+        seeds: &[Seed],
+        aims: &[Aim],
+        options: &ExactOptions,
+        control: Piece,
+    ) -> (Found, Units, f64, Result<()>) {
+        let mut front = Front::<R>::new(self);
+        if options.keep_windows {
+            front.keep_windows();
+        }
+        let (units, rho, ended) = self.propagate(&mut front, seeds, options.radius, aims, control);
+        (front.finish(), units, rho, ended)
+    }
+
+    /// Propagates from checked sources, on a front without any. Returns its units and ρ: labels below it are final.
+    fn propagate<R: Rays>(
+        &self,
+        front: &mut Front<R>,
         seeds: &[Seed],
         radius: f64,
         aims: &[Aim],
@@ -161,13 +184,9 @@ impl Prepared {
     }
 
     /// Puts sources on a front; their distances count from `least`.
-    fn begin(&self, front: &mut Front, seeds: &[Seed], least: f64) -> Units {
+    fn begin<R: Rays>(&self, front: &mut Front<R>, seeds: &[Seed], least: f64) -> Units {
         for seed in seeds {
-            let distance = self.scale.to_unit(seed.offset - least);
-            match &seed.place {
-                Place::Vertex(v) => front.start(*v, distance, seed.source),
-                Place::Face(point) => front.start_inside(point, distance, seed.source),
-            }
+            front.start(&seed.origin, self.scale.to_unit(seed.offset - least), seed.source);
         }
         Units { scale: self.scale, least }
     }
@@ -190,6 +209,11 @@ impl Prepared {
             })),
         }
     }
+}
+
+/// Whether a front with windows of both kinds is needed.
+fn has_curves<'a>(seeds: impl IntoIterator<Item = &'a Seed>) -> bool {
+    seeds.into_iter().any(|seed| matches!(seed.origin, Origin::Curve(_)))
 }
 
 fn check_radius(radius: f64) -> Result<()> {

@@ -26,29 +26,30 @@
 use super::Prepared;
 use super::bends::Bend;
 use super::charts::SEVERAL;
-use super::envelope::{Limits, Memory, Scratch, larger, smaller, trim};
+use super::envelope::{Limits, Memory, Scratch, trim};
 use super::kept::Kept;
 use super::stop::{Open, Stop, Watch, rho};
-use super::window::{Entry, Turn, Window};
+use super::window::{Entry, Rays, Turn, Window};
 use crate::control::Piece;
 use crate::error::Result;
 use crate::mesh::topology::{NONE, next, prev};
-use crate::surface::point::SurfacePoint;
+use crate::surface::curve::Segment;
+use crate::surface::point::others;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, VecDeque};
 
 /// The windows that wait on one half-edge.
 #[derive(Debug, Default)]
-struct List {
-    windows: Vec<Window>,
+struct List<R> {
+    windows: Vec<Window<R>>,
     is_queued: bool,
     /// How often windows arrived.
     runs: u32,
 }
 
 /// The last straight piece of a path to a vertex: it comes over the opposite half-edge h of one of its triangles, at the
-/// place `at`, from what lies unfolded at (sx, -sy) in the chart of h. A source in the triangle itself has sy < 0. For a
-/// vertex that is a source h is NONE.
+/// place `at`, from what lies unfolded at (sx, -sy) in the chart of h: a pseudo-source, or a place of a source that is no
+/// vertex. One in the triangle itself has sy < 0. For a vertex of a source h is NONE.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Arrival {
     pub(crate) h: u32,
@@ -58,10 +59,19 @@ pub(crate) struct Arrival {
     pub(crate) sy: f64,
 }
 
+impl Arrival {
+    /// Over a window on half-edge h.
+    pub(crate) fn over<R: Rays>(h: u32, entry: &Entry<R>, emissions: &[Emission]) -> Arrival {
+        let Entry { at, emission, .. } = *entry;
+        let [sx, sy] = entry.start(|| emissions[emission as usize].sigma);
+        Arrival { h, emission, at, sx, sy }
+    }
+}
+
 /// A throw of windows.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Emission {
-    /// The pseudo-source that threw them, or NONE: a source that is no vertex.
+    /// The pseudo-source that threw them, or NONE: a point or curve that is a source.
     pub(crate) vertex: u32,
     /// The source from which the shortest path to it comes, counted as the caller does.
     pub(crate) source: u32,
@@ -83,36 +93,33 @@ pub(crate) struct Found {
     pub(crate) crossed: u64,
 }
 
-/// A source that is no vertex, in one of the triangles that it lies in.
+/// A source that is no vertex, or a segment of it, in one of the triangles that it lies in.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Inner {
-    face: u32,
-    pub(crate) weights: [f64; 3],
+    /// A point is a segment whose ends are one.
+    pub(crate) segment: Segment,
     pub(crate) emission: u32,
 }
 
 impl Found {
     /// The sources in a triangle that are no vertices.
     pub(crate) fn inner_of(&self, face: u32) -> &[Inner] {
-        let first = self.inner.partition_point(|inner| inner.face < face);
-        let count = self.inner[first..].partition_point(|inner| inner.face == face);
+        let first = self.inner.partition_point(|inner| inner.segment.face < face);
+        let count = self.inner[first..].partition_point(|inner| inner.segment.face == face);
         &self.inner[first..first + count]
     }
 }
 
-/// A vertex is next to a source that is nearer than this share of their triangle's size.
-const NEXT_TO: f64 = 1e-6;
-
 /// The state of one propagation; all lengths in units.
-pub(crate) struct Front<'a> {
-    solver: &'a Prepared,
+pub(crate) struct Front<'a, R> {
+    pub(super) solver: &'a Prepared,
     /// Least distance known of each vertex.
     label: Vec<f64>,
     /// How the shortest path known comes to each vertex.
     arrival: Vec<Arrival>,
     emissions: Vec<Emission>,
     /// Which vertices are sources, or next to one: they throw windows into all directions.
-    is_source: Vec<bool>,
+    pub(super) is_source: Vec<bool>,
     /// The vertices with a label.
     reached: Vec<u32>,
     /// Label of each vertex when it was last settled; +inf before.
@@ -121,24 +128,24 @@ pub(crate) struct Front<'a> {
     heap: BinaryHeap<Reverse<(u64, u32)>>,
     /// The list of each half-edge, or NONE.
     waiting: Vec<u32>,
-    lists: Vec<List>,
+    lists: Vec<List<R>>,
     free: Vec<u32>,
     /// Half-edges whose lists are to cross.
     queue: VecDeque<u32>,
     /// What crossed each half-edge of the triangles that remember.
-    memory: HashMap<u32, Memory>,
+    memory: HashMap<u32, Memory<R>>,
     /// The windows that crossed, if they are wanted.
     kept: Option<Kept>,
-    inner: Vec<Inner>,
-    scratch: Scratch,
+    pub(super) inner: Vec<Inner>,
+    scratch: Scratch<R>,
     crossed: u64,
 }
 
 /// Around slivers, paths that differ by this share are equal: more than the rounding of a few crossings.
 const TIE: f64 = 1e-14;
 
-impl<'a> Front<'a> {
-    pub(crate) fn new(solver: &'a Prepared) -> Front<'a> {
+impl<'a, R: Rays> Front<'a, R> {
+    pub(crate) fn new(solver: &'a Prepared) -> Front<'a, R> {
         let vertices = solver.mesh.vertex_count();
         Front {
             solver,
@@ -161,41 +168,8 @@ impl<'a> Front<'a> {
         }
     }
 
-    /// Starts from vertex `v`, a source, at `distance`, which must not be negative.
-    pub(crate) fn start(&mut self, v: u32, distance: f64, source: u32) {
-        let emission = self.add_emission(v, source, distance);
-        self.is_source[v as usize] = true;
-        self.relax(v, distance, Arrival { h: NONE, emission, at: 0.0, sx: 0.0, sy: 0.0 });
-    }
-
-    /// Starts from a point that is no vertex: labels the corners of its triangles and throws windows through all their
-    /// sides but the one that it lies on.
-    pub(crate) fn start_inside(&mut self, point: &SurfacePoint, sigma: f64, source: u32) {
-        let solver = self.solver;
-        let emission = self.add_emission(NONE, source, sigma);
-        for (face, weights) in solver.triangles_of(point) {
-            self.inner.push(Inner { face, weights, emission });
-            for h in 3 * face..3 * face + 3 {
-                let chart = solver.charts[h as usize];
-                let [sx, sy] = chart.place(h, weights);
-                let far = (chart.tx - sx).hypot(chart.ty - sy);
-                let apex = solver.start(prev(h));
-                // Rounding tells no more where the path to it comes from.
-                self.is_source[apex as usize] |= far <= NEXT_TO * (chart.length + chart.ty);
-                // Where the line from the apex over the source leaves the triangle.
-                let at = chart.tx + (sx - chart.tx) * (chart.ty / (chart.ty - sy));
-                let at = larger(0.0, smaller(at, chart.length));
-                self.relax(apex, sigma + far, Arrival { h, emission, at, sx, sy: -sy });
-                if weights[(prev(h) % 3) as usize] > 0.0 {
-                    let window = Window { b0: 0.0, b1: chart.length, sx, sy, sigma, emission };
-                    self.throw(h, window);
-                }
-            }
-        }
-    }
-
     /// Lets a window leave a triangle by its half-edge h.
-    fn throw(&mut self, h: u32, window: Window) {
+    pub(super) fn throw(&mut self, h: u32, window: Window<R>) {
         let chart = &self.solver.charts[h as usize];
         self.pass(h, chart.start, std::iter::once(window));
         if window.starts_on_edge(chart.length) {
@@ -203,7 +177,7 @@ impl<'a> Front<'a> {
         }
     }
 
-    fn add_emission(&mut self, vertex: u32, source: u32, sigma: f64) -> u32 {
+    pub(super) fn add_emission(&mut self, vertex: u32, source: u32, sigma: f64) -> u32 {
         self.emissions.push(Emission { vertex, source, sigma });
         (self.emissions.len() - 1) as u32
     }
@@ -267,13 +241,13 @@ impl<'a> Front<'a> {
         self.label.len() * of_vertex
             + self.waiting.len() * size_of::<u32>()
             + self.heap.capacity() * size_of::<Reverse<(u64, u32)>>()
-            + self.lists.capacity() * size_of::<List>()
+            + self.lists.capacity() * size_of::<List<R>>()
             + (self.free.capacity() + self.queue.capacity() + self.reached.capacity()) * size_of::<u32>()
             + self.emissions.capacity() * size_of::<Emission>()
             + self.inner.capacity() * size_of::<Inner>()
             + self.kept.as_ref().map_or(0, Kept::bytes)
-            + self.memory.capacity() * size_of::<(u32, Memory)>()
-            + windows * size_of::<Window>()
+            + self.memory.capacity() * size_of::<(u32, Memory<R>)>()
+            + windows * size_of::<Window<R>>()
     }
 
     /// Keeps every window from now on.
@@ -326,7 +300,7 @@ impl<'a> Front<'a> {
             kept.sort();
         }
         let Front { label, arrival, emissions, kept, mut inner, crossed, .. } = self;
-        inner.sort_by_key(|inner| inner.face);
+        inner.sort_by_key(|inner| inner.segment.face);
         Found { label, arrival, emissions, kept, inner, crossed }
     }
 
@@ -368,14 +342,15 @@ impl<'a> Front<'a> {
             self.relax(solver.start(opposite), sigma + solver.charts[h as usize].length, from_end);
             self.relax(solver.start(back), sigma + back_length, from_start);
             let chart = solver.charts[opposite as usize];
-            let window = Window { b0: 0.0, b1: chart.length, sx: chart.tx, sy: chart.ty, sigma, emission };
+            let rays = R::default();
+            let window = Window { b0: 0.0, b1: chart.length, sx: chart.tx, sy: chart.ty, sigma, emission, rays };
             self.throw(opposite, window);
         }
     }
 
     /// Where a pseudo-source lies on the edge of half-edge h, opposite to it in a triangle without area, a window on that
     /// edge cannot hold all the directions from it: the triangles beyond the edge pass them on at once.
-    fn pass_on(&mut self, h: u32, origin: u32, window: Window) {
+    fn pass_on(&mut self, h: u32, origin: u32, window: Window<R>) {
         let solver = self.solver;
         let mut thrown = vec![(h, origin, window)];
         let mut passed = Vec::new();
@@ -398,7 +373,7 @@ impl<'a> Front<'a> {
     }
 
     /// The corners at v, a fan, with directions into which the path that came can bend.
-    fn wedge(&self, v: u32, is_closed: bool) -> impl Iterator<Item = u32> + use<'a> {
+    fn wedge(&self, v: u32, is_closed: bool) -> impl Iterator<Item = u32> + use<'a, R> {
         let solver = self.solver;
         let Arrival { h, at, .. } = self.arrival[v as usize];
         let chart = solver.charts[h as usize];
@@ -412,7 +387,7 @@ impl<'a> Front<'a> {
         self.settled[v as usize] < f64::INFINITY
     }
 
-    fn relax(&mut self, v: u32, distance: f64, arrival: Arrival) {
+    pub(super) fn relax(&mut self, v: u32, distance: f64, arrival: Arrival) {
         let label = &mut self.label[v as usize];
         if distance < *label {
             if *label == f64::INFINITY {
@@ -431,7 +406,7 @@ impl<'a> Front<'a> {
     /// Puts windows, measured from the end `origin` of its edge, on the list of half-edge h and labels the apex. One that
     /// starts on the edge itself is not put there: it has come back to its own pseudo-source, which has thrown it beyond
     /// the edge already.
-    fn arrive(&mut self, h: u32, origin: u32, windows: impl Iterator<Item = Window>) {
+    fn arrive(&mut self, h: u32, origin: u32, windows: impl Iterator<Item = Window<R>>) {
         let chart = self.solver.charts[h as usize];
         let apex = self.solver.start(prev(h));
         let is_mirrored = chart.start != origin;
@@ -454,8 +429,7 @@ impl<'a> Front<'a> {
             return self.release(h);
         }
         list.runs += 1;
-        let Entry { distance, at, sx, sy, emission } = entry;
-        self.relax(apex, distance, Arrival { h, emission, at, sx, sy });
+        self.relax(apex, entry.distance, Arrival::over(h, &entry, &self.emissions));
         if self.is_settled(apex) {
             self.enqueue(h);
         }
@@ -470,7 +444,7 @@ impl<'a> Front<'a> {
         }
     }
 
-    fn list_of(&mut self, h: u32) -> &mut List {
+    fn list_of(&mut self, h: u32) -> &mut List<R> {
         let slot = &mut self.waiting[h as usize];
         if *slot == NONE {
             *slot = self.free.pop().unwrap_or_else(|| {
@@ -513,7 +487,7 @@ impl<'a> Front<'a> {
     }
 
     /// Lets windows that leave a triangle by half-edge h, measured from `origin`, arrive in the others on its edge.
-    fn pass(&mut self, h: u32, origin: u32, windows: impl Iterator<Item = Window> + Clone) {
+    fn pass(&mut self, h: u32, origin: u32, windows: impl Iterator<Item = Window<R>> + Clone) {
         match self.solver.charts[h as usize].twin {
             NONE => {}
             SEVERAL => self.solver.others(h).for_each(|g| self.arrive(g, origin, windows.clone())),
@@ -528,41 +502,6 @@ impl<'a> Front<'a> {
 }
 
 impl Prepared {
-    /// The triangles that a point which is no vertex lies in, each with its weights there: one, or all on its edge.
-    pub(crate) fn triangles_of(&self, point: &SurfacePoint) -> Vec<(u32, [f64; 3])> {
-        let SurfacePoint { face, barycentric } = *point;
-        let mut triangles = vec![(face, barycentric)];
-        if let Some(k) = (0..3).find(|&k| barycentric[k as usize] == 0.0) {
-            let h = next(3 * face + k);
-            let [at_start, at_end] = [barycentric[(h % 3) as usize], barycentric[(next(h) % 3) as usize]];
-            for g in self.others(h) {
-                let mut weights = [0.0; 3];
-                let is_along = self.start(g) == self.start(h);
-                let ends = if is_along { [at_start, at_end] } else { [at_end, at_start] };
-                [weights[(g % 3) as usize], weights[(next(g) % 3) as usize]] = ends;
-                triangles.push((g / 3, weights));
-            }
-        }
-        triangles
-    }
-
-    /// A corner of a triangle as a point in it.
-    pub(crate) fn corner(&self, face: u32, v: u32) -> Option<SurfacePoint> {
-        let k = (0..3).find(|k| self.start(3 * face + k) == v)?;
-        let mut barycentric = [0.0; 3];
-        barycentric[k as usize] = 1.0;
-        Some(SurfacePoint { face, barycentric })
-    }
-
-    /// A point as a point of this triangle, if it lies in it.
-    pub(crate) fn in_triangle(&self, point: &SurfacePoint, face: u32) -> Option<SurfacePoint> {
-        if let Some(k) = (0..3).find(|&k| point.barycentric[k as usize] == 1.0) {
-            return self.corner(face, self.start(3 * point.face + k));
-        }
-        let (face, barycentric) = self.triangles_of(point).into_iter().find(|&(there, _)| there == face)?;
-        Some(SurfacePoint { face, barycentric })
-    }
-
     /// The vertex where half-edge h starts.
     pub(crate) fn start(&self, h: u32) -> u32 {
         self.charts[h as usize].start
@@ -570,8 +509,7 @@ impl Prepared {
 
     /// The half-edges on the edge of h besides h.
     pub(crate) fn others(&self, h: u32) -> impl Iterator<Item = u32> {
-        let topology = self.mesh.topology();
-        topology.halfedges.row(topology.edge_of[h as usize]).iter().copied().filter(move |&g| g != h)
+        others(&self.mesh, h)
     }
 
     /// The two sides by which windows on half-edge h leave its triangle.

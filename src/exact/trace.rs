@@ -17,6 +17,7 @@
 use super::Prepared;
 use super::charts::Chart;
 use super::propagate::{Arrival, Found};
+use super::segment::Flat;
 use super::window::{Entry, Turn};
 use crate::mesh::topology::{NONE, next, prev};
 use crate::metric::distance;
@@ -93,8 +94,8 @@ impl Trace<'_> {
                 best = Some((distance, way));
             }
         };
-        for (face, weights) in self.solver.triangles_of(point) {
-            let point = SurfacePoint { face, barycentric: weights };
+        for point in point.in_triangles(&self.solver.mesh) {
+            let SurfacePoint { face, barycentric: weights } = point;
             for h in 3 * face..3 * face + 3 {
                 let chart = self.solver.charts[h as usize];
                 let [x, y] = chart.place(h, weights);
@@ -102,14 +103,14 @@ impl Trace<'_> {
                 let seen = Chart { tx: x, ty: y, ..chart };
                 let windows = self.found.kept.iter().flat_map(|kept| kept.on(h));
                 let entry = windows.fold(Entry::default(), |best, window| window.entry(&seen, best));
-                let Entry { distance, at, sx, sy, emission } = entry;
-                offer(distance, Way::Straight(point, Arrival { h, emission, at, sx, sy }));
+                offer(entry.distance, Way::Straight(point, Arrival::over(h, &entry, &self.found.emissions)));
             }
             let h = 3 * face;
             let chart = self.solver.charts[h as usize];
             let [x, y] = chart.place(h, weights);
             for inner in self.found.inner_of(face) {
-                let [sx, sy] = chart.place(h, inner.weights);
+                let flat = Flat::new(&chart, h, &inner.segment);
+                let [sx, sy] = flat.place(flat.nearest([x, y]));
                 let straight = Arrival { h, emission: inner.emission, at: sx, sx, sy: -sy };
                 let sigma = self.found.emissions[inner.emission as usize].sigma;
                 offer(sigma + (sx - x).hypot(sy - y), Way::Straight(point, straight));
@@ -142,7 +143,7 @@ impl Trace<'_> {
         let mut v = match best.way {
             Way::Vertex(v) => v,
             Way::Corner(point, v) => {
-                points.extend([point, self.solver.corner(point.face, v)?]);
+                points.extend([point, SurfacePoint::corner(&self.solver.mesh, point.face, v)?]);
                 v
             }
             Way::Straight(point, arrival) => {
@@ -160,11 +161,11 @@ impl Trace<'_> {
             if arrival.h == NONE {
                 if points.is_empty() {
                     let &corner = self.solver.mesh.topology().corners.row(v).first()?;
-                    points.push(self.solver.corner(corner / 3, v)?);
+                    points.push(SurfacePoint::corner(&self.solver.mesh, corner / 3, v)?);
                 }
                 return Some(self.merged(points));
             }
-            points.push(self.solver.corner(arrival.h / 3, v)?);
+            points.push(SurfacePoint::corner(&self.solver.mesh, arrival.h / 3, v)?);
             let chart = &self.solver.charts[arrival.h as usize];
             v = self.piece(arrival, [chart.tx, chart.ty], &mut points)?;
         }
@@ -188,8 +189,11 @@ impl Trace<'_> {
 
     fn straight(&self, arrival: Arrival, points: &mut Vec<SurfacePoint>) -> Option<(SurfacePoint, u32)> {
         let vertex = self.found.emissions.get(arrival.emission as usize)?.vertex;
-        if arrival.sy < 0.0 {
-            return Some((self.end_in(arrival.h, arrival)?, vertex));
+        // On the edge itself it lies in this triangle and in those beyond.
+        if arrival.sy <= 0.0
+            && let Some(end) = self.end_in(arrival.h, arrival)
+        {
+            return Some((end, vertex));
         }
         if let Some(end) = self.end_on(&arrival, vertex) {
             return Some((end, vertex));
@@ -229,20 +233,19 @@ impl Trace<'_> {
         Some(end)
     }
 
-    /// Without the points that coincide with the next one: the segment between has no length.
+    /// Of points that coincide only one: the segment between has no length. The one that comes first, if it lies in the
+    /// triangle of the segment behind the other too.
     fn merged(&self, points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
         let position = |point: &SurfacePoint| point.position(&self.solver.mesh).ok();
         let mut merged: Vec<SurfacePoint> = Vec::with_capacity(points.len());
-        let Some(&last) = points.last() else { return merged };
         for point in points {
-            if merged.last().is_some_and(|before| position(before) == position(&point)) {
-                merged.pop();
-            }
-            merged.push(point);
+            let same = merged.pop_if(|before| position(before) == position(&point));
+            let renamed = same.and_then(|before| before.in_triangle(&self.solver.mesh, point.face));
+            merged.push(renamed.unwrap_or(point));
         }
         // The last point names the triangle of the segment before it.
         if let [.., before, end] = &mut merged[..]
-            && let Some(renamed) = self.solver.in_triangle(&last, before.face)
+            && let Some(renamed) = end.in_triangle(&self.solver.mesh, before.face)
         {
             *end = renamed;
         }
@@ -264,7 +267,7 @@ impl Trace<'_> {
             label < distance && label + (cx - x).hypot(cy - y) <= distance * (1.0 + AS_SHORT)
         };
         let v = self.solver.start(corners.iter().find(|corner| over(corner))?.0);
-        Some((self.solver.corner(h / 3, v)?, v))
+        Some((SurfacePoint::corner(&self.solver.mesh, h / 3, v)?, v))
     }
 
     /// Whether the distance where a path stands agrees with those of the ends of the edge. Where an edge has several
@@ -303,16 +306,17 @@ impl Trace<'_> {
         let vertex = self.found.emissions[stand.emission as usize].vertex;
         let way = (stand.sx - stand.at).hypot(stand.sy);
         let near = FOUND * (chart.length + chart.tx.hypot(chart.ty) + way);
-        let is_at = |weights: [f64; 3]| {
-            let [x, y] = chart.place(h, weights);
-            (x - stand.sx).hypot(y + stand.sy) <= near
-        };
+        let is_at = |[x, y]: [f64; 2]| (x - stand.sx).hypot(y + stand.sy) <= near;
         if vertex == NONE {
-            let inner = self.found.inner_of(h / 3).iter().find(|inner| inner.emission == stand.emission)?;
-            return is_at(inner.weights).then_some(SurfacePoint { face: h / 3, barycentric: inner.weights });
+            let inner = self.found.inner_of(h / 3).iter().filter(|inner| inner.emission == stand.emission);
+            return inner.map(|inner| &inner.segment).find_map(|segment| {
+                let flat = Flat::new(chart, h, segment);
+                let share = flat.nearest([stand.sx, -stand.sy]);
+                is_at(flat.place(share)).then(|| segment.at(share))
+            });
         }
-        let corner = self.solver.corner(h / 3, vertex)?;
-        is_at(corner.barycentric).then_some(corner)
+        let corner = SurfacePoint::corner(&self.solver.mesh, h / 3, vertex)?;
+        is_at(chart.place(h, corner.barycentric)).then_some(corner)
     }
 }
 

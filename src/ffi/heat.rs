@@ -183,7 +183,8 @@ pub extern "C" fn taut_heat_time_step(heat: Option<&taut_heat>) -> f64 {
 /// Computes the distance of every vertex by the heat method: approximate, smooth, fast for many calls.
 ///
 /// - `heat`: not NULL.
-/// - `sources`: where to measure from; not NULL, at least one. A point must be a vertex: one of its weights is 1.
+/// - `sources`: where to measure from; not NULL, at least one. A point must be a vertex: one of its weights is 1;
+///   curves are refused.
 /// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
 ///   reaches.

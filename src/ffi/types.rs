@@ -1,7 +1,9 @@
 //! What crosses the border by value: views of the caller's buffers, sources, structs that state their own size.
 
 use super::guard::null;
-use crate::{Element, ElementType, Error, IndexType, Reason, Result, Rows, ScalarType, Source, SurfacePoint, Target};
+use crate::{
+    Curve, Element, ElementType, Error, IndexType, Reason, Result, Rows, ScalarType, Source, SurfacePoint, Target,
+};
 use libc::c_void;
 use std::mem::MaybeUninit;
 
@@ -55,9 +57,9 @@ pub struct taut_output {
     pub r#type: taut_type,
 }
 
-/// Where distances are measured from: vertices, points of the surface, or both, each at its own start distance.
+/// Where distances are measured from: vertices, points of the surface and curves on it, each at its own start distance.
 ///
-/// Sources are numbered from 0, the vertices first and the points after them: offsets are given, errors named, and
+/// Sources are numbered from 0, the vertices first, then the points, then the curves: offsets are given, errors named, and
 /// nearest sources told by this number.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -67,13 +69,25 @@ pub struct taut_sources {
     /// Rows of one vertex index.
     pub vertices: taut_input,
     /// Rows of one real number, the start distance of each source in mesh units: finite, of any sign. As many as there
-    /// are vertices and points together, or none, which means 0 for all.
+    /// are sources of all kinds together, or none, which means 0 for all.
     pub offsets: taut_input,
     /// Rows of one index, a point of the surface each: the triangle in which it lies.
     pub faces: taut_input,
     /// Rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, not negative,
     /// their sum 1 up to 1e-6.
     pub barycentrics: taut_input,
+    /// Rows of one index, where the points of each curve begin and, at last, where they end, as from
+    /// `taut_curves_offsets`: curve i has the points from curve_offsets[i] up to, not including, curve_offsets[i + 1], one
+    /// at least. The first is 0, the last the number of `curve_faces`. No rows mean no curves.
+    pub curve_offsets: taut_input,
+    /// Rows of one index, the points of all curves: the triangle in which each lies, and the segment to the next one with
+    /// it. A point on an edge or at a vertex may name any triangle there.
+    pub curve_faces: taut_input,
+    /// Rows of three real numbers, as many as there are `curve_faces`: the weights of the triangle's corners, as above.
+    pub curve_barycentrics: taut_input,
+    /// Rows of one index for each curve, 1 if its last point is joined to its first, else 0; or none, which means 0 for
+    /// all.
+    pub curve_closed: taut_input,
 }
 
 // SAFETY: repr(C), starts with its size; views are valid for any bytes, and a later field begins after the last one.
@@ -483,7 +497,7 @@ pub(super) unsafe fn targets(targets: *const taut_targets, name: &str) -> Result
     }
 }
 
-/// The caller's sources: the vertices, then the points.
+/// The caller's sources: the vertices, then the points, then the curves.
 ///
 /// # Safety
 /// As [`targets`].
@@ -492,22 +506,70 @@ pub(super) unsafe fn sources(sources: *const taut_sources) -> Result<Vec<Source>
         return Err(null("sources"));
     }
     // SAFETY: as the caller promises.
-    let (places, offsets) = unsafe {
-        let taut_sources { vertices, offsets, faces, barycentrics, .. } = read_sized(sources, "sources")?;
+    let (places, offsets, curves) = unsafe {
+        let sources = read_sized(sources, "sources")?;
+        let taut_sources { vertices, offsets, faces, barycentrics, .. } = sources;
         let places = places(vertices, faces, barycentrics, "sources", Element::Source)?;
-        (places, offsets.numbers("sources.offsets")?)
+        let curves = curves(&sources, places.len())?;
+        (places, offsets.numbers("sources.offsets")?, curves)
     };
     let source = |place| match place {
         Target::Vertex(v) => Source::vertex(v),
         Target::Point(point) => Source::point(point),
     };
-    let mut sources: Vec<Source> = places.into_iter().map(source).collect();
-    if !offsets.is_empty() && offsets.len() != sources.len() {
-        let message = format!("`sources` has {} vertices and points, but {} offsets", sources.len(), offsets.len());
+    let sources: Vec<Source> = places.into_iter().map(source).chain(curves.into_iter().map(Source::curve)).collect();
+    if offsets.is_empty() {
+        return Ok(sources);
+    }
+    if offsets.len() != sources.len() {
+        let message = format!("`sources` has {} sources, but {} offsets", sources.len(), offsets.len());
         return Err(Error::new(Reason::BadArgument, message));
     }
-    for (source, offset) in sources.iter_mut().zip(offsets) {
-        *source = source.with_offset(offset);
+    Ok(sources.into_iter().zip(offsets).map(|(source, offset)| source.with_offset(offset)).collect())
+}
+
+/// The caller's curves; errors name them as sources, of which there are `before` others.
+///
+/// # Safety
+/// As [`sources`].
+unsafe fn curves(sources: &taut_sources, before: usize) -> Result<Vec<Curve>> {
+    let name = |row: usize| Element::Source((before + row) as u64);
+    let bad = |message: String| Error::new(Reason::BadArgument, message);
+    // SAFETY: as the caller promises.
+    let (offsets, closed, points) = unsafe {
+        let taut_sources { curve_offsets, curve_faces, curve_barycentrics, curve_closed, .. } = *sources;
+        let offsets = curve_offsets.indices(1, "sources.curve_offsets")?;
+        // A face that is no index names the curve that it would belong to.
+        let curve = |point: u64| {
+            let begins = |row: &usize| offsets.index(*row, 0).is_some_and(|first| u64::from(first) <= point);
+            name((0..offsets.count()).take_while(begins).count().saturating_sub(1))
+        };
+        let points = surface_points(curve_faces, curve_barycentrics, "sources.curve_", curve)?;
+        (offsets, curve_closed.indices(1, "sources.curve_closed")?, points)
+    };
+    let count = offsets.count().saturating_sub(1);
+    if closed.count() != 0 && closed.count() != count {
+        return Err(bad(format!("`sources` has {count} curves, but {} rows in `curve_closed`", closed.count())));
     }
-    Ok(sources)
+    let offset = |row: usize| offsets.index(row, 0).map_or(usize::MAX, |offset| offset as usize);
+    let is_whole =
+        if offsets.count() == 0 { points.is_empty() } else { offset(0) == 0 && offset(count) == points.len() };
+    if !is_whole {
+        let message = format!("`sources.curve_offsets` must lead from 0 to {}, the number of points", points.len());
+        return Err(bad(message));
+    }
+    let curve = |row: usize| {
+        let error = |message: &str| Error::at(Reason::BadArgument, name(row), message);
+        let points =
+            points.get(offset(row)..offset(row + 1)).ok_or_else(|| error("is a curve that ends before it begins"))?;
+        let is_closed = match closed.count() {
+            0 => false,
+            _ => match closed.index(row, 0) {
+                Some(flag @ 0..=1) => flag == 1,
+                _ => return Err(error("is a curve whose `curve_closed` is neither 0 nor 1")),
+            },
+        };
+        Ok(Curve { points: points.to_vec(), is_closed })
+    };
+    (0..count).map(curve).collect()
 }

@@ -31,7 +31,8 @@ use crate::mesh::Mesh;
 use crate::mesh::topology::NONE;
 use crate::metric::{Metric, Scale, delaunay, mollify};
 use crate::operators::Operators;
-use crate::surface::point::{Place, Seed, Source};
+use crate::surface::point::Place;
+use crate::surface::source::{Origin, Seed, Source};
 use std::sync::Arc;
 
 pub use crate::linear::Solver;
@@ -247,13 +248,13 @@ struct Start {
 
 /// Heat starts at vertices.
 fn start(seed: Seed) -> Result<Start> {
-    match seed.place {
-        Place::Vertex(v) => Ok(Start { v, offset: seed.offset }),
-        Place::Face(point) => {
-            let message = format!("lies inside triangle {}; the heat method starts at vertices", point.face);
-            Err(Error::at(Reason::BadArgument, Element::Source(u64::from(seed.source)), message))
-        }
-    }
+    let what = match seed.origin {
+        Origin::Place(Place::Vertex(v)) => return Ok(Start { v, offset: seed.offset }),
+        Origin::Place(Place::Face(point)) => format!("lies inside triangle {}", point.face),
+        Origin::Curve(_) => "is a curve".to_owned(),
+    };
+    let message = format!("{what}; the heat method starts at vertices");
+    Err(Error::at(Reason::BadArgument, Element::Source(u64::from(seed.source)), message))
 }
 
 impl Systems {

@@ -24,7 +24,8 @@
 //! References, for the rule of above and below: W. E. Lorensen, H. E. Cline: Marching Cubes: A High Resolution 3D Surface
 //! Construction Algorithm. Computer Graphics 21(4) (SIGGRAPH), 1987.
 
-use super::point::{Curve, SurfacePoint};
+use super::curve::Curve;
+use super::point::SurfacePoint;
 use crate::error::{Element, Error, Reason, Result};
 use crate::mesh::Mesh;
 use crate::mesh::topology::{NONE, next, prev, start};

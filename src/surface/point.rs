@@ -1,7 +1,8 @@
-//! Places on the surface: points, curves, and the sources that distances are measured from.
+//! Points of the surface, and the triangles that they lie in.
 
 use crate::error::{Element, Error, Reason, Result};
 use crate::mesh::Mesh;
+use crate::mesh::topology::{next, start};
 use crate::mesh::validate::repeats_index;
 
 /// A place on the surface: a triangle, and weights of its corners that are not negative and sum to 1.
@@ -14,18 +15,6 @@ pub struct SurfacePoint {
     pub face: u32,
     /// The weight of each of its corners, in their order.
     pub barycentric: [f64; 3],
-}
-
-/// A polyline over the surface.
-///
-/// The segment from a point to the next one lies in the triangle that the point names. A closed curve has one more, from
-/// its last point to its first, which is not repeated; an open one ends in a point that names the last segment's triangle.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Curve {
-    /// No two that follow each other at the same position; two at least, but for a path of length 0.
-    pub points: Vec<SurfacePoint>,
-    /// Whether the last point is joined to the first.
-    pub is_closed: bool,
 }
 
 impl SurfacePoint {
@@ -70,16 +59,6 @@ impl SurfacePoint {
     }
 }
 
-impl Curve {
-    /// Where its points lie, in mesh units.
-    ///
-    /// # Errors
-    /// As [`SurfacePoint::position`].
-    pub fn positions(&self, mesh: &Mesh) -> Result<Vec<[f64; 3]>> {
-        self.points.iter().map(|point| point.position(mesh)).collect()
-    }
-}
-
 /// A place as the engines use it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Place {
@@ -94,7 +73,7 @@ const WEIGHTS_OFF: f64 = 1e-6;
 
 impl SurfacePoint {
     /// The point with its weights made to sum to 1, or what is wrong with it.
-    pub(crate) fn checked(&self, mesh: &Mesh) -> std::result::Result<Place, String> {
+    pub(crate) fn checked(&self, mesh: &Mesh) -> std::result::Result<SurfacePoint, String> {
         let SurfacePoint { face, barycentric } = *self;
         let Some(triangle) = mesh.triangles().get(face as usize) else {
             return Err(format!("lies in triangle {face}, but the mesh has {} triangles", mesh.triangle_count()));
@@ -104,93 +83,65 @@ impl SurfacePoint {
         if !is_sane {
             return Err(format!("has the weights {barycentric:?}, which are not three numbers from 0 that sum to 1"));
         }
-        let weights = barycentric.map(|w| w / sum);
-        let mut others = (0..3).filter(|&k| weights[k] != 0.0);
+        let point = SurfacePoint { face, barycentric: barycentric.map(|w| w / sum) };
+        if matches!(point.as_place(mesh), Place::Face(_)) && repeats_index(triangle) {
+            return Err(format!("lies in triangle {face}, which repeats a vertex"));
+        }
+        Ok(point)
+    }
+
+    /// A checked point as the engines use it.
+    pub(crate) fn as_place(&self, mesh: &Mesh) -> Place {
+        let mut others = (0..3).filter(|&k| self.barycentric[k as usize] != 0.0);
         match (others.next(), others.next()) {
-            (Some(k), None) => Ok(Place::Vertex(triangle[k])),
-            _ if repeats_index(triangle) => Err(format!("lies in triangle {face}, which repeats a vertex")),
-            _ => Ok(Place::Face(SurfacePoint { face, barycentric: weights })),
-        }
-    }
-}
-
-/// A place that distances are measured from, and the distance that it starts with.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Source {
-    place: Place,
-    offset: f64,
-}
-
-/// A source that was checked.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Seed {
-    /// Its number in the caller's list.
-    pub(crate) source: u32,
-    pub(crate) place: Place,
-    /// In mesh units.
-    pub(crate) offset: f64,
-}
-
-impl Source {
-    /// A vertex, at distance 0.
-    #[must_use]
-    pub fn vertex(vertex: u32) -> Source {
-        Source { place: Place::Vertex(vertex), offset: 0.0 }
-    }
-
-    /// Any point of the surface, at distance 0. Its weights may sum to 1 up to 1e-6.
-    #[must_use]
-    pub fn point(point: SurfacePoint) -> Source {
-        Source { place: Place::Face(point), offset: 0.0 }
-    }
-
-    /// The same place with start distance `offset`, in mesh units: any finite number.
-    #[must_use]
-    pub fn with_offset(self, offset: f64) -> Source {
-        Source { offset, ..self }
-    }
-
-    /// Where it lies, in mesh units.
-    ///
-    /// # Errors
-    /// [`Reason::VertexOutOfRange`], or [`Reason::BadArgument`] as [`SurfacePoint::position`].
-    pub fn position(&self, mesh: &Mesh) -> Result<[f64; 3]> {
-        match self.place {
-            Place::Face(point) => point.position(mesh),
-            Place::Vertex(v) => match mesh.positions().get(v as usize) {
-                Some(&position) => Ok(position),
-                None => Err(Error::new(Reason::VertexOutOfRange, out_of_range(v, mesh))),
-            },
+            (Some(k), None) => Place::Vertex(start(mesh.triangles(), 3 * self.face + k)),
+            _ => Place::Face(*self),
         }
     }
 
-    /// Checks sources: one or more, each on the mesh and with a finite start distance.
-    pub(crate) fn checked(sources: &[Source], mesh: &Mesh) -> Result<Vec<Seed>> {
-        if sources.is_empty() {
-            return Err(Error::new(Reason::NoSource, "at least one source is needed"));
+    /// A corner of a triangle as a point in it; None for any other vertex, and in an ignored triangle.
+    pub(crate) fn corner(mesh: &Mesh, face: u32, v: u32) -> Option<SurfacePoint> {
+        let triangle = &mesh.triangles()[face as usize];
+        let k = triangle.iter().position(|&corner| corner == v).filter(|_| !repeats_index(triangle))?;
+        let mut barycentric = [0.0; 3];
+        barycentric[k] = 1.0;
+        Some(SurfacePoint { face, barycentric })
+    }
+
+    /// A checked point in each of the triangles that it lies in: in its own, in all on its edge, in all at its vertex.
+    pub(crate) fn in_triangles(&self, mesh: &Mesh) -> Vec<SurfacePoint> {
+        if let Place::Vertex(v) = self.as_place(mesh) {
+            let corners = mesh.topology().corners.row(v);
+            return corners.iter().filter_map(|&h| SurfacePoint::corner(mesh, h / 3, v)).collect();
         }
-        let seed = |(i, source): (u32, &Source)| {
-            let error = |reason, message| Err(Error::at(reason, Element::Source(u64::from(i)), message));
-            let place = match source.place {
-                Place::Vertex(v) if v as usize >= mesh.vertex_count() => {
-                    return error(Reason::VertexOutOfRange, out_of_range(v, mesh));
-                }
-                Place::Vertex(v) => Place::Vertex(v),
-                Place::Face(point) => match point.checked(mesh) {
-                    Ok(place) => place,
-                    Err(message) => return error(Reason::BadArgument, message),
-                },
-            };
-            if !source.offset.is_finite() {
-                let message = format!("has the start distance {}, which is not finite", source.offset);
-                return error(Reason::BadArgument, message);
-            }
-            Ok(Seed { source: i, place, offset: source.offset })
-        };
-        (0..).zip(sources).map(seed).collect()
+        let on_edge = (0..3).find(|&k| self.barycentric[k as usize] == 0.0);
+        let beyond = on_edge.map(|k| self.beyond(mesh, next(3 * self.face + k))).into_iter().flatten();
+        [*self].into_iter().chain(beyond).collect()
+    }
+
+    /// A checked point as a point of this triangle, if it lies in it.
+    pub(crate) fn in_triangle(&self, mesh: &Mesh, face: u32) -> Option<SurfacePoint> {
+        match self.as_place(mesh) {
+            Place::Vertex(v) => SurfacePoint::corner(mesh, face, v),
+            Place::Face(_) => self.in_triangles(mesh).into_iter().find(|point| point.face == face),
+        }
+    }
+
+    /// A point on half-edge h of its triangle as a point of each other triangle on that edge.
+    pub(crate) fn beyond(self, mesh: &Mesh, h: u32) -> impl Iterator<Item = SurfacePoint> {
+        let [at_start, at_end] = [h, next(h)].map(|h| self.barycentric[(h % 3) as usize]);
+        others(mesh, h).map(move |g| {
+            let is_along = start(mesh.triangles(), g) == start(mesh.triangles(), h);
+            let ends = if is_along { [at_start, at_end] } else { [at_end, at_start] };
+            let mut barycentric = [0.0; 3];
+            [barycentric[(g % 3) as usize], barycentric[(next(g) % 3) as usize]] = ends;
+            SurfacePoint { face: g / 3, barycentric }
+        })
     }
 }
 
-fn out_of_range(v: u32, mesh: &Mesh) -> String {
-    format!("is vertex {v}, but the mesh has {} vertices", mesh.vertex_count())
+/// The half-edges on the edge of h besides h.
+pub(crate) fn others(mesh: &Mesh, h: u32) -> impl Iterator<Item = u32> {
+    let topology = mesh.topology();
+    topology.halfedges.row(topology.edge_of[h as usize]).iter().copied().filter(move |&g| g != h)
 }

@@ -22,7 +22,10 @@ impl Target {
                 Err(Error::new(Reason::VertexOutOfRange, message))
             }
             Target::Vertex(v) => Ok(Place::Vertex(v)),
-            Target::Point(point) => point.checked(mesh).map_err(|message| Error::new(Reason::BadArgument, message)),
+            Target::Point(point) => match point.checked(mesh) {
+                Ok(point) => Ok(point.as_place(mesh)),
+                Err(message) => Err(Error::new(Reason::BadArgument, message)),
+            },
         }
     }
 }

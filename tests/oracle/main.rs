@@ -1,5 +1,6 @@
 //! The exact engine against a brute-force search of our own, on thousands of small soups.
 
+mod curves;
 mod soups;
 mod unfolding;
 
