@@ -9,8 +9,9 @@
 //! again.
 //!
 //! Before a list crosses (A, B the ends of its edge, C the apex)
-//! - windows at either end of the list are dropped as long as a path over A or over B is shorter at each of their points
-//!   (Xin, Wang 2009);
+//! - a window is dropped if a path over A or over B is shorter at each of its points (Xin, Wang 2009). Such windows lie at
+//!   the ends of a list, and there they are looked for; where windows come late, behind the front, all are tested: rays
+//!   that wind around a vertex would else go on for ever;
 //! - the windows are trimmed against each other, [`envelope`](super::envelope), where they came over more than one edge.
 //!
 //! Each list of n windows throws n + 1 at most, but where two overlap.
@@ -45,6 +46,8 @@ struct List<R> {
     is_queued: bool,
     /// How often windows arrived.
     runs: u32,
+    /// Whether some arrived after the apex was settled.
+    is_late: bool,
 }
 
 /// The last straight piece of a path to a vertex: it comes over the opposite half-edge h of one of its triangles, at the
@@ -411,6 +414,7 @@ impl<'a, R: Rays> Front<'a, R> {
         let apex = self.solver.start(prev(h));
         let is_mirrored = chart.start != origin;
         let mut entry = Entry { distance: self.label[apex as usize], ..Entry::default() };
+        let is_late = self.is_settled(apex);
         let list = self.list_of(h);
         let before = list.windows.len();
         let mut has_arrived = false;
@@ -429,8 +433,9 @@ impl<'a, R: Rays> Front<'a, R> {
             return self.release(h);
         }
         list.runs += 1;
+        list.is_late |= is_late;
         self.relax(apex, entry.distance, Arrival::over(h, &entry, &self.emissions));
-        if self.is_settled(apex) {
+        if is_late {
             self.enqueue(h);
         }
     }
@@ -458,13 +463,16 @@ impl<'a, R: Rays> Front<'a, R> {
     /// Moves the list of half-edge h over its triangle.
     fn cross(&mut self, h: u32) {
         let id = std::mem::replace(&mut self.waiting[h as usize], NONE);
-        let List { mut windows, runs, .. } = std::mem::take(&mut self.lists[id as usize]);
+        let List { mut windows, runs, is_late, .. } = std::mem::take(&mut self.lists[id as usize]);
         let solver = self.solver;
         let chart = solver.charts[h as usize];
         let limits = self.limits(h);
-        // Those that A or B beat lie at the ends: to test the others finds 0.2 % more and costs 8 % of the instructions.
-        windows.truncate(windows.iter().rposition(|window| limits.let_pass(window)).map_or(0, |last| last + 1));
-        windows.drain(..windows.iter().position(|window| limits.let_pass(window)).unwrap_or(0));
+        if is_late {
+            windows.retain(|window| limits.let_pass(window));
+        } else {
+            windows.truncate(windows.iter().rposition(|window| limits.let_pass(window)).map_or(0, |last| last + 1));
+            windows.drain(..windows.iter().position(|window| limits.let_pass(window)).unwrap_or(0));
+        }
         // What arrived at once came over one edge and was trimmed there, or before.
         if runs > 1 {
             trim(&mut windows, chart.ty, &mut self.scratch);
