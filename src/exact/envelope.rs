@@ -19,16 +19,17 @@
 
 use super::window::{Rays, Window};
 
-/// More windows than this are trimmed by halves first: where all overlap, as those of many sources in one triangle do,
-/// their number is then that of what survives soon, and not squared in time.
-const MANY: usize = 512;
+/// Windows that arrived more often than this are trimmed by halves first: where all overlap, as those of many sources in
+/// one triangle do, their number is then that of what survives soon, and not squared in time.
+const MANY: u32 = 16;
 
-/// Trims the windows of one half-edge in place; `height` is that of its triangle, `scratch` is overwritten.
-pub(crate) fn trim<R: Rays>(windows: &mut Vec<Window<R>>, height: f64, scratch: &mut Scratch<R>) {
-    if windows.len() > MANY {
+/// Trims the windows of one half-edge, which arrived in so many `runs`, in place; `height` is that of its triangle,
+/// `scratch` is overwritten.
+pub(crate) fn trim<R: Rays>(windows: &mut Vec<Window<R>>, runs: u32, height: f64, scratch: &mut Scratch<R>) {
+    if runs > MANY {
         let mut half = windows.split_off(windows.len() / 2);
-        trim(windows, height, scratch);
-        trim(&mut half, height, scratch);
+        trim(windows, runs / 2, height, scratch);
+        trim(&mut half, runs / 2, height, scratch);
         windows.append(&mut half);
     }
     let Scratch { kept, pending } = scratch;

@@ -475,7 +475,7 @@ impl<'a, R: Rays> Front<'a, R> {
         }
         // What arrived at once came over one edge and was trimmed there, or before.
         if runs > 1 {
-            trim(&mut windows, chart.ty, &mut self.scratch);
+            trim(&mut windows, runs, chart.ty, &mut self.scratch);
         }
         if solver.remembers[(h / 3) as usize] {
             let longest = chart.length.max(solver.charts[next(h) as usize].length);
