@@ -1,36 +1,14 @@
 //! Curves as sources: closed forms, invariants, and the field of many points on the curve.
 
 mod common;
+#[path = "common/places.rs"]
+mod places;
 
 use common::corpus;
+use places::{Random, euclid, field};
 use taut::shapes::Shape;
 use taut::{Closest, Control, Curve, Element, Error, ExactField, ExactOptions, ExactSolver, HeatOptions, HeatSolver};
 use taut::{Mesh, Reason, Source, SurfacePoint, Target, isolines, shapes};
-
-/// A small deterministic generator of numbers in [0, 1).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.next() * n as f64) as usize
-    }
-
-    fn point(&mut self, mesh: &Mesh) -> SurfacePoint {
-        let [u, v] = [self.next(), self.next()];
-        let [u, v] = if u + v > 1.0 { [1.0 - u, 1.0 - v] } else { [u, v] };
-        SurfacePoint { face: self.below(mesh.triangle_count()) as u32, barycentric: [u, v, 1.0 - u - v] }
-    }
-}
-
-fn field(mesh: &Mesh, sources: &[Source]) -> ExactField {
-    let options = ExactOptions { keep_windows: true, ..ExactOptions::default() };
-    ExactSolver::new(mesh).unwrap().field(sources, &options, &Control::new()).unwrap()
-}
 
 fn from_curve(mesh: &Mesh, curve: &Curve) -> ExactField {
     field(mesh, &[Source::curve(curve.clone())])
@@ -53,10 +31,6 @@ fn through(mesh: &Mesh, points: &[SurfacePoint], is_closed: bool) -> Curve {
         curve.points.pop();
     }
     Curve { is_closed, ..curve }
-}
-
-fn euclid(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
 }
 
 /// The pieces of a curve in space.
