@@ -21,7 +21,7 @@ fn heat(criterion: &mut Criterion) {
         group.bench_function("time step", |bencher| {
             bencher.iter(|| solver.with_time_step(&options.time_step, &control));
         });
-        group.bench_function("solve", |bencher| bencher.iter(|| solver.distances(&source, &control)));
+        group.bench_function("solve", |bencher| bencher.iter(|| solver.field(&source, &control)));
         group.finish();
     }
 }

@@ -489,7 +489,10 @@ typedef uint32_t taut_laplacian;
 
 /** How the distances get their zero. 0 means `TAUT_SHIFT_PINNED`. */
 typedef uint32_t taut_shift;
-/** Each source has exactly its start distance, also where a way from another source is shorter than that. */
+/**
+ * Each source has its start distance, unless another one reaches it sooner along edges; at the corners around a point or
+ * a curve the distance is the straight way.
+ */
 #define TAUT_SHIFT_PINNED 1
 /** The least distance of each component is moved to the least start distance. */
 #define TAUT_SHIFT_MIN 2
@@ -990,17 +993,16 @@ double taut_heat_time_step(const taut_heat *heat);
  * Computes the distance of every vertex by the heat method: approximate, smooth, fast for many calls.
  *
  * - `heat`: not NULL.
- * - `sources`: where to measure from; not NULL, at least one. A point must be a vertex: one of its weights is 1;
- *   curves are refused.
+ * - `sources`: where to measure from; not NULL, at least one.
  * - `control`: progress, cancellation and a time limit, or NULL.
  * - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
  *   reaches.
  *
  * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and
  * TAUT_REASON_SOURCE_ON_BOUNDARY name the source; TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED,
- * TAUT_REASON_TIME_LIMIT. Cost: a few sparse triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` and several
- * sources in one component also a factorisation. Threads: any, also on one `heat` at once. The control is consulted
- * between the steps, not inside a solve.
+ * TAUT_REASON_TIME_LIMIT. Cost: a few sparse triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` also a short
+ * one for each vertex of a source or, for more than 256 in one component, a factorisation. Threads: any, also on one
+ * `heat` at once. The control is consulted between the steps, not inside a solve.
  */
 taut_status taut_heat_distances(const taut_heat *heat,
                                 const taut_sources *sources,

@@ -19,12 +19,12 @@
 //! let control = Control::new();
 //!
 //! let exact = ExactSolver::new(&mesh)?.field(&sources, &ExactOptions::default(), &control)?;
-//! let heat = HeatSolver::new(&mesh, &HeatOptions::default(), &control)?.distances(&sources, &control)?;
+//! let heat = HeatSolver::new(&mesh, &HeatOptions::default(), &control)?.field(&sources, &control)?;
 //!
 //! // Half way round the unit sphere; the polyhedron inside it is a little smaller.
 //! let farthest = exact.distances().iter().copied().fold(0.0, f64::max);
 //! assert!((farthest / std::f64::consts::PI - 1.0).abs() < 0.01);
-//! let off = heat.iter().zip(exact.distances()).map(|(h, d)| (h - d).abs()).fold(0.0, f64::max);
+//! let off = heat.distances().iter().zip(exact.distances()).map(|(h, d)| (h - d).abs()).fold(0.0, f64::max);
 //! assert!(off < 0.02 * farthest);
 //! # Ok(()) }
 //! ```
@@ -40,13 +40,17 @@ mod linear;
 mod mesh;
 mod metric;
 mod operators;
+mod parallel;
 mod report;
 mod surface;
 
 pub use control::Control;
 pub use error::{Element, Error, Reason, Result, Status};
 pub use exact::{ExactField, ExactOptions, ExactSolver, SparseDistances};
-pub use heat::{HeatOptions, HeatReport, HeatSolver, Laplacian, Shift, Solver, TimeFormula, TimeScale, TimeStep};
+pub use heat::{
+    HeatField, HeatOptions, HeatReport, HeatSolver, HeatTimes, Laplacian, Shift, Solver, TimeFormula, TimeScale,
+    TimeStep,
+};
 pub use mesh::Mesh;
 pub use mesh::input::{ElementType, Faces, IndexType, Rows, ScalarType};
 pub use mesh::io::MeshFormat;

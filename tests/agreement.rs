@@ -13,7 +13,7 @@ fn exact(mesh: &Mesh, source: u32) -> Vec<f64> {
 
 fn heat(mesh: &Mesh, source: u32) -> Vec<f64> {
     let solver = HeatSolver::new(mesh, &HeatOptions::default(), &Control::new()).unwrap();
-    solver.distances(&[Source::vertex(source)], &Control::new()).unwrap()
+    solver.field(&[Source::vertex(source)], &Control::new()).unwrap().into_distances()
 }
 
 /// The mean error in percent over the vertices that are reached and are not the source.

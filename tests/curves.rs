@@ -7,7 +7,7 @@ mod places;
 use common::corpus;
 use places::{Random, euclid, field};
 use taut::shapes::Shape;
-use taut::{Closest, Control, Curve, Element, Error, ExactField, ExactOptions, ExactSolver, HeatOptions, HeatSolver};
+use taut::{Closest, Control, Curve, Element, Error, ExactField, ExactOptions, ExactSolver};
 use taut::{Mesh, Reason, Source, SurfacePoint, Target, isolines, shapes};
 
 fn from_curve(mesh: &Mesh, curve: &Curve) -> ExactField {
@@ -493,9 +493,6 @@ fn errors_name_the_source_and_the_point() {
     let offset = Source::curve(open(vec![inside(0), inside(0)])).with_offset(f64::INFINITY);
     let refused = ExactSolver::new(&mesh).unwrap().field(&[offset], &ExactOptions::default(), &Control::new());
     assert_eq!(refused.unwrap_err().reason(), Reason::BadArgument);
-    let heat = HeatSolver::new(&mesh, &HeatOptions::default(), &Control::new()).unwrap();
-    let refused = heat.distances(&[Source::curve(open(vec![inside(0)]))], &Control::new()).unwrap_err();
-    assert_eq!((refused.reason(), refused.element()), (Reason::BadArgument, Some(Element::Source(0))));
 }
 
 /// Triangles without area, edges without length, points at one place, coordinates at the ends of the range.

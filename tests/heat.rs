@@ -77,7 +77,7 @@ fn solver(mesh: &Mesh, options: &HeatOptions) -> HeatSolver {
 }
 
 fn distances(mesh: &Mesh, options: &HeatOptions, sources: &[Source]) -> Vec<f64> {
-    solver(mesh, options).distances(sources, &Control::new()).unwrap()
+    solver(mesh, options).field(sources, &Control::new()).unwrap().into_distances()
 }
 
 fn refused(mesh: &Mesh, options: &HeatOptions) -> Error {
@@ -143,7 +143,7 @@ fn paper_bunny_reproduces_to_five_digits() {
     ];
     for (t, mean_percent, median_percent) in table {
         let solver = solver.with_time_step(&step(t), &Control::new()).unwrap();
-        let errors = errors(&solver.distances(&source, &Control::new()).unwrap(), exact.distances());
+        let errors = errors(&solver.field(&source, &Control::new()).unwrap().into_distances(), exact.distances());
         assert_eq!(format!("{:.5}", mean(&errors)), mean_percent, "t = {t}");
         assert_eq!(format!("{:.5}", median(errors)), median_percent, "t = {t}");
     }
@@ -220,12 +220,12 @@ fn nothing_reaches_other_components_and_unused_vertices() {
     let two = Mesh::from_triangles(&positions, &triangles).unwrap();
     for shift in [Shift::Pinned, Shift::Min] {
         let solver = solver(&two, &HeatOptions { shift, ..HeatOptions::default() });
-        let d = solver.distances(&[Source::vertex(0)], &Control::new()).unwrap();
+        let d = solver.field(&[Source::vertex(0)], &Control::new()).unwrap().into_distances();
         assert!(d[..n as usize].iter().all(|d| d.is_finite()));
         assert!(d[n as usize..].iter().all(|&d| d == f64::INFINITY));
         // Each component by itself: the same bits as alone.
         let sources = [Source::vertex(0), Source::vertex(n).with_offset(2.0), Source::vertex(unused).with_offset(7.0)];
-        let all = solver.distances(&sources, &Control::new()).unwrap();
+        let all = solver.field(&sources, &Control::new()).unwrap().into_distances();
         assert_eq!(bits(&all[..n as usize]), bits(&d[..n as usize]));
         assert!(all[..n as usize].iter().zip(&all[n as usize..]).all(|(a, b)| (a + 2.0 - b).abs() < 1e-12));
         assert_eq!(all[unused as usize], 7.0);
@@ -244,7 +244,7 @@ fn a_retimed_solver_has_the_bits_of_a_fresh_one() {
         let fresh = solver(&plane, &HeatOptions { time_step: step, ..options });
         let retimed = solver(&plane, &options).with_time_step(&step, &Control::new()).unwrap();
         assert_eq!(fresh.time_step(), retimed.time_step());
-        let [a, b] = [&fresh, &retimed].map(|solver| solver.distances(&sources, &Control::new()).unwrap());
+        let [a, b] = [&fresh, &retimed].map(|solver| solver.field(&sources, &Control::new()).unwrap().into_distances());
         assert_eq!(bits(&a), bits(&b));
     }
 }
@@ -253,7 +253,9 @@ fn a_retimed_solver_has_the_bits_of_a_fresh_one() {
 fn threads_share_a_solver() {
     let plane = mesh(&grid(20, 0.3));
     let solver = solver(&plane, &HeatOptions::default());
-    let solve = |v: u32| bits(&solver.distances(&[Source::vertex(v), Source::vertex(7)], &Control::new()).unwrap());
+    let solve = |v: u32| {
+        bits(&solver.field(&[Source::vertex(v), Source::vertex(7)], &Control::new()).unwrap().into_distances())
+    };
     let alone: Vec<_> = (0..4).map(solve).collect();
     let together: Vec<_> = std::thread::scope(|scope| {
         let threads: Vec<_> = (0..4).map(|v| scope.spawn(move || solve(v))).collect();
@@ -370,9 +372,9 @@ fn a_source_on_the_boundary() {
     let plane = mesh(&grid(8, 0.2));
     let sources = [Source::vertex(40), Source::vertex(3)];
     let absorbing = solver(&plane, &HeatOptions { boundary: 1.0, ..HeatOptions::default() });
-    let error = absorbing.distances(&sources, &Control::new()).unwrap_err();
+    let error = absorbing.field(&sources, &Control::new()).unwrap_err();
     assert_eq!((error.reason(), error.element()), (Reason::SourceOnBoundary, Some(Element::Source(1))));
-    assert!(absorbing.distances(&sources[..1], &Control::new()).is_ok());
+    assert!(absorbing.field(&sources[..1], &Control::new()).is_ok());
     let d = distances(&plane, &HeatOptions { boundary: 0.5, ..HeatOptions::default() }, &sources[1..]);
     assert!(d[3] == 0.0 && d.iter().all(|d| (0.0..2.0).contains(d)));
 }
@@ -405,7 +407,7 @@ fn bad_sources_are_named() {
     let plane = mesh(&grid(4, 0.0));
     let solver = solver(&plane, &HeatOptions::default());
     let refused = |sources: &[Source]| {
-        let error = solver.distances(sources, &Control::new()).unwrap_err();
+        let error = solver.field(sources, &Control::new()).unwrap_err();
         (error.reason(), error.element())
     };
     assert_eq!(refused(&[]), (Reason::NoSource, None));
@@ -426,7 +428,7 @@ fn cancelled_work_stops() {
     let cancelled = |result: Result<(), Error>| assert_eq!(result.unwrap_err().reason(), Reason::Cancelled);
     cancelled(HeatSolver::new(&plane, &HeatOptions::default(), &control).map(drop));
     cancelled(solver.with_time_step(&TimeStep::Value(1.0), &control).map(drop));
-    cancelled(solver.distances(&[Source::vertex(0)], &control).map(drop));
+    cancelled(solver.field(&[Source::vertex(0)], &control).map(drop));
 }
 
 // ----------------------------------------------------------------------------------------------------------- soups
@@ -448,7 +450,7 @@ fn survives(name: &str, mesh: &Mesh) -> bool {
             let last = mesh.vertex_count() as u32 - 1;
             for sources in [vec![0], vec![last], vec![0, last / 2, last]] {
                 let sources: Vec<Source> = sources.into_iter().map(Source::vertex).collect();
-                let d = solver.distances(&sources, &Control::new()).unwrap();
+                let d = solver.field(&sources, &Control::new()).unwrap().into_distances();
                 assert!(d.iter().all(|&d| d >= 0.0), "{name} {options:?}");
                 assert!(d.contains(&0.0), "{name} {options:?}");
             }
@@ -511,7 +513,7 @@ fn soups_are_survived() {
 fn a_mesh_without_vertices_or_triangles() {
     let options = HeatOptions { time_step: TimeStep::Value(1.0), ..HeatOptions::default() };
     let empty = solver(&Mesh::from_triangles(&[], &[]).unwrap(), &options);
-    let error = empty.distances(&[Source::vertex(0)], &Control::new()).unwrap_err();
+    let error = empty.field(&[Source::vertex(0)], &Control::new()).unwrap_err();
     assert_eq!(error.reason(), Reason::VertexOutOfRange);
     let points = Mesh::from_triangles(&[[0.0; 3]; 2], &[]).unwrap();
     assert_eq!(distances(&points, &options, &[Source::vertex(1)]), [f64::INFINITY, 0.0]);

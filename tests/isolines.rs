@@ -157,7 +157,7 @@ fn lines(name: &str, mesh: &Mesh, values: &[f64], levels: &[f64]) -> Vec<Isoline
 fn heat(mesh: &Mesh, source: u32) -> Vec<f64> {
     let control = Control::new();
     let solver = HeatSolver::new(mesh, &HeatOptions::default(), &control).unwrap();
-    solver.distances(&[Source::vertex(source)], &control).unwrap()
+    solver.field(&[Source::vertex(source)], &control).unwrap().into_distances()
 }
 
 /// Numbers that look random.

@@ -14,7 +14,8 @@ fn exact(mesh: &Mesh, source: u32) -> taut::Result<Vec<f64>> {
 
 fn heat(mesh: &Mesh, source: u32, laplacian: Laplacian) -> taut::Result<Vec<f64>> {
     let options = HeatOptions { laplacian, ..HeatOptions::default() };
-    HeatSolver::new(mesh, &options, &Control::new())?.distances(&[Source::vertex(source)], &Control::new())
+    let solver = HeatSolver::new(mesh, &options, &Control::new())?;
+    Ok(solver.field(&[Source::vertex(source)], &Control::new())?.into_distances())
 }
 
 fn mesh(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Mesh {

@@ -34,8 +34,7 @@ pub(crate) struct SourceArgs {
     #[arg(long = "source", value_name = "V", conflicts_with = "sources")]
     pub(crate) source: Vec<u32>,
 
-    /// Source on the surface where it is nearest to this point; may be given several times. The
-    /// exact method knows such sources, the heat method does not
+    /// Source on the surface where it is nearest to this point; may be given several times
     #[arg(
         verbatim_doc_comment,
         long,
@@ -59,8 +58,7 @@ pub(crate) struct SourceArgs {
     ///   X Y Z               the point of the surface nearest to this one
     /// Points that follow each other are joined within a triangle or by a shortest path. What
     /// `taut path` prints are such curves; of an .obj file, as `taut path` and `taut isolines`
-    /// write, each polyline is one.
-    /// The exact method knows such sources, the heat method does not
+    /// write, each polyline is one
     #[arg(verbatim_doc_comment, long, value_name = "FILE")]
     pub(crate) source_curve: Vec<PathBuf>,
 }

@@ -2,7 +2,7 @@
 
 use crate::args::{ExactArgs, FieldArgs, Method};
 use crate::measured::{Seconds, measured};
-use taut::{ExactField, ExactOptions, ExactSolver, HeatSolver, Mesh, Source, Target};
+use taut::{ExactField, ExactOptions, ExactSolver, HeatField, HeatSolver, Mesh, Source, Target};
 
 /// What a method found, and what it took.
 pub(crate) struct Field {
@@ -34,7 +34,7 @@ fn heat(args: &FieldArgs, mesh: &Mesh, sources: &[Source]) -> taut::Result<Field
     let options = args.heat.options();
     let (solver, setup) = measured("setup", |control| HeatSolver::new(mesh, &options, control));
     let solver = solver?;
-    let (distances, solve) = measured("solve", |control| solver.distances(sources, control));
+    let (distances, solve) = measured("solve", |control| solver.field(sources, control).map(HeatField::into_distances));
     let (distances, final_radius) = (distances?, f64::INFINITY);
     Ok(Field { distances, final_radius, time_step: Some(solver.time_step()), setup, solve })
 }

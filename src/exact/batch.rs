@@ -11,17 +11,10 @@ use super::stop::Stop;
 use super::window::{Mixed, Rays, Spreading};
 use super::{ExactSolver, Front, Prepared, check_radius, has_curves};
 use crate::control::{Control, Piece};
-use crate::error::{Element, Result};
-use crate::mesh::Mesh;
+use crate::error::Result;
+use crate::parallel;
 use crate::surface::point::Place;
 use crate::surface::source::{Origin, Seed, Source};
-use std::num::NonZero;
-use std::panic::resume_unwind;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::thread;
-
-/// More threads than this are not started, whatever is asked for.
-const MOST_THREADS: usize = 1024;
 
 /// Distances within a radius, row by row: those of each source to the vertices near it.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,8 +60,7 @@ impl ExactSolver {
     /// # Errors
     /// As [`ExactSolver::field`]; sources are counted through all sets.
     pub fn distance_rows(&self, sets: &[Vec<Source>], threads: usize, control: &Control) -> Result<Vec<Vec<f64>>> {
-        let mesh = &self.0.mesh;
-        let sets = checked_sets(sets, mesh)?;
+        let sets = Source::checked_sets(sets, &self.0.mesh)?;
         match has_curves(sets.iter().flatten()) {
             false => self.0.distance_rows::<Spreading>(&sets, threads, control),
             true => self.0.distance_rows::<Mixed>(&sets, threads, control),
@@ -123,20 +115,6 @@ impl ExactSolver {
             true => self.0.farthest_points::<Mixed>(&seeds, count, control),
         }
     }
-}
-
-/// The sources of each set; errors count through all sets.
-fn checked_sets(sets: &[Vec<Source>], mesh: &Mesh) -> Result<Vec<Vec<Seed>>> {
-    let mut before = 0;
-    let checked = |set: &Vec<Source>| {
-        let seeds = Source::checked(set, mesh).map_err(|error| match error.element() {
-            Some(Element::Source(i)) => error.about(Element::Source(before + i)),
-            _ => error,
-        });
-        before += set.len() as u64;
-        seeds
-    };
-    sets.iter().map(checked).collect()
 }
 
 impl Prepared {
@@ -207,44 +185,16 @@ impl Prepared {
         control: &Control,
         row: impl Fn(&mut Front<R>, usize, Piece) -> Result<Row> + Sync,
     ) -> Result<Vec<Row>> {
-        let threads = if threads == 0 { thread::available_parallelism().map_or(1, NonZero::get) } else { threads };
-        let threads = threads.min(MOST_THREADS).min(count);
-        let (next, done, is_over) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicBool::new(false));
-        let work = |is_caller: bool| {
-            let mut front = Front::new(self);
-            let mut rows = Vec::new();
-            while !is_over.load(Ordering::Relaxed) {
-                let i = next.fetch_add(1, Ordering::Relaxed);
-                if i >= count {
-                    break;
-                }
-                let progress = |done: usize| done as f64 / count as f64;
-                let before = done.load(Ordering::Relaxed);
-                let piece = match is_caller {
-                    true => Piece::between(control, progress(before), progress(before + 1)),
-                    false => Piece::elsewhere(control),
-                };
-                let computed = row(&mut front, i, piece);
+        parallel::rows(
+            count,
+            threads,
+            control,
+            || Front::new(self),
+            |front, i, piece| {
+                let computed = row(front, i, piece);
                 front.clear();
-                is_over.fetch_or(computed.is_err(), Ordering::Relaxed);
-                rows.push((i, computed));
-                done.fetch_add(1, Ordering::Relaxed);
-            }
-            rows
-        };
-        let mut rows = thread::scope(|scope| {
-            // Where the system gives no more threads, those that there are do all.
-            let spawn = |_| thread::Builder::new().spawn_scoped(scope, || work(false)).ok();
-            let others: Vec<_> = (1..threads).map_while(spawn).collect();
-            let mut rows = work(true);
-            for other in others {
-                rows.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
-            }
-            rows
-        });
-        rows.sort_unstable_by_key(|&(i, _)| i);
-        let rows = rows.into_iter().map(|(_, row)| row).collect::<Result<_>>()?;
-        control.report(1.0);
-        Ok(rows)
+                computed
+            },
+        )
     }
 }

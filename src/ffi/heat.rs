@@ -43,7 +43,8 @@ pub const TAUT_LAPLACIAN_PLAIN: taut_laplacian = 2;
 
 /// How the distances get their zero. 0 means `TAUT_SHIFT_PINNED`.
 pub type taut_shift = u32;
-/// Each source has exactly its start distance, also where a way from another source is shorter than that.
+/// Each source has its start distance, unless another one reaches it sooner along edges; at the corners around a point or
+/// a curve the distance is the straight way.
 pub const TAUT_SHIFT_PINNED: taut_shift = 1;
 /// The least distance of each component is moved to the least start distance.
 pub const TAUT_SHIFT_MIN: taut_shift = 2;
@@ -183,17 +184,16 @@ pub extern "C" fn taut_heat_time_step(heat: Option<&taut_heat>) -> f64 {
 /// Computes the distance of every vertex by the heat method: approximate, smooth, fast for many calls.
 ///
 /// - `heat`: not NULL.
-/// - `sources`: where to measure from; not NULL, at least one. A point must be a vertex: one of its weights is 1;
-///   curves are refused.
+/// - `sources`: where to measure from; not NULL, at least one.
 /// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
 ///   reaches.
 ///
 /// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and
 /// TAUT_REASON_SOURCE_ON_BOUNDARY name the source; TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED,
-/// TAUT_REASON_TIME_LIMIT. Cost: a few sparse triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` and several
-/// sources in one component also a factorisation. Threads: any, also on one `heat` at once. The control is consulted
-/// between the steps, not inside a solve.
+/// TAUT_REASON_TIME_LIMIT. Cost: a few sparse triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` also a short
+/// one for each vertex of a source or, for more than 256 in one component, a factorisation. Threads: any, also on one
+/// `heat` at once. The control is consulted between the steps, not inside a solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_distances(
     heat: Option<&taut_heat>,
@@ -205,9 +205,9 @@ pub unsafe extern "C" fn taut_heat_distances(
         let heat = required(heat, "heat")?;
         // SAFETY: the header asks for a struct of the size that it states, and views of readable memory.
         let sources = unsafe { self::sources(sources)? };
-        let distances = heat.0.distances(&sources, &control_or_new(control))?;
+        let field = heat.0.field(&sources, &control_or_new(control))?;
         // SAFETY: the header asks for a view of writable memory.
-        unsafe { out.write_scalars(distances.as_chunks::<1>().0, "out") }
+        unsafe { out.write_scalars(field.distances().as_chunks::<1>().0, "out") }
     })
 }
 

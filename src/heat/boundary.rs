@@ -1,6 +1,6 @@
-//! The boundary, and systems whose solution is prescribed at some vertices.
+//! The boundary, and systems whose solution is held at some vertices.
 //!
-//! Prescribing x at the vertices D turns A x = b into the same system with identity rows and columns at D and, at every
+//! Holding x at the vertices D turns A x = b into the same system with identity rows and columns at D and, at every
 //! other vertex i, the right-hand side b_i - Σ A_ij x_j over j in D. It stays symmetric, and as zeros are kept it keeps
 //! its pattern: one symbolic analysis serves the Neumann, Dirichlet and Poisson systems.
 
@@ -19,19 +19,19 @@ pub(super) fn boundary_vertices(mesh: &Mesh) -> Vec<bool> {
     on_boundary
 }
 
-/// Gives the lower triangle (`pattern`, `values`) identity rows and columns where `prescribed`.
-pub(super) fn constrain(pattern: &SparsityPattern, values: &mut [f64], prescribed: &[bool]) {
+/// Gives the lower triangle (`pattern`, `values`) identity rows and columns where `is_held`.
+pub(super) fn hold(pattern: &SparsityPattern, values: &mut [f64], is_held: impl Fn(usize) -> bool) {
     for ((row, column), value) in entries(pattern).zip(values) {
-        if prescribed[row] || prescribed[column] {
+        if is_held(row) || is_held(column) {
             *value = f64::from(row == column);
         }
     }
 }
 
-/// Moves the prescribed values, which stand in `b` at their vertices, to the right-hand side of the other vertices.
-pub(super) fn move_prescribed(pattern: &SparsityPattern, values: &[f64], prescribed: &[bool], b: &mut [f64]) {
+/// Moves the held values, which stand in `b` at their vertices, to the right-hand side of the other vertices.
+pub(super) fn move_held(pattern: &SparsityPattern, values: &[f64], held: &[bool], b: &mut [f64]) {
     for ((row, column), value) in entries(pattern).zip(values) {
-        match (prescribed[row], prescribed[column]) {
+        match (held[row], held[column]) {
             (true, false) => b[column] -= value * b[row],
             (false, true) => b[row] -= value * b[column],
             _ => {}

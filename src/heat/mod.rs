@@ -11,31 +11,36 @@
 //!
 //! The result is approximate: on good meshes the mean error is about one percent, and it falls as the mesh is refined.
 //!
-//! *Several sources*: φ is constrained to the offset of each source ([`Shift::Pinned`]). *Offsets* o: the heat put in at
-//! a source is exp(-(o - min o) / √t), as u decays like exp(-d / √t). *Boundary*: u is the blend
-//! (1 - b) u_Neumann + b u_Dirichlet. *Null space of L*: one vertex of every component is held fixed.
+//! *Sources* are vertices, points and curves ([`place`]). *Several*: φ is constrained to what is known near each
+//! ([`Shift::Pinned`]). *Offsets* o: the heat put in at a source is exp(-(o - min o) / √t), as u decays like
+//! exp(-d / √t). *Boundary*: u is the blend (1 - b) u_Neumann + b u_Dirichlet. *Faded heat* starts anew ([`flow`]).
 //!
-//! Cost: building factorises two matrices (about V^1.5 time, V log V memory); a query costs two solves with them. A
-//! query with several sources in one component and [`Shift::Pinned`] factorises a third.
+//! Cost: building factorises two matrices (about V^1.5 time, V log V memory); a query costs three quarters of two solves
+//! with them.
 //!
 //! References: K. Crane, C. Weischedel, M. Wardetzky: Geodesics in Heat: A New Approach to Computing Distance Based on
 //! Heat Flow. ACM Transactions on Graphics, 2013.
 
+mod batch;
 mod boundary;
+mod field;
+mod flow;
+mod place;
+mod systems;
 mod time_step;
 
-use crate::control::Control;
-use crate::error::{Element, Error, Reason, Result};
-use crate::linear::{self, Factor, Symbolic};
+use crate::control::{Control, Piece};
+use crate::error::{Error, Reason, Result};
+use crate::linear::Factor;
 use crate::mesh::Mesh;
-use crate::mesh::topology::NONE;
-use crate::metric::{Metric, Scale, delaunay, mollify};
-use crate::operators::Operators;
-use crate::surface::point::Place;
-use crate::surface::source::{Origin, Seed, Source};
+use crate::metric::Scale;
+use crate::surface::source::Source;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
+use systems::Systems;
 
 pub use crate::linear::Solver;
+pub use field::HeatField;
 pub use time_step::{TimeFormula, TimeScale, TimeStep};
 
 /// On which triangulation of the surface the operators are built.
@@ -51,8 +56,9 @@ pub enum Laplacian {
 /// What determines the constant that the Poisson problem leaves free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Shift {
-    /// The distance is the source's offset at every source, also where the way from another source is shorter than that,
-    /// and nowhere less than the smallest offset of its component: the default.
+    /// Near each source the field has the distances that are known there: the source's offset at a vertex, the straight
+    /// way to a point or a curve at the corners of its triangles. Nowhere is it less than the smallest offset of its
+    /// component. A source that another reaches sooner, along edges, does not count. The default.
     Pinned,
     /// The field is shifted so that its minimum in each component is the smallest offset there, as Crane's reference
     /// code does.
@@ -96,6 +102,25 @@ pub struct HeatReport {
     /// How many edges stayed although they are not Delaunay, because they cannot flip (at a boundary, between more than
     /// two triangles); near them u may be negative. 0 with [`Laplacian::Plain`], which does not look.
     pub stuck_edges: u64,
+    /// How long that took.
+    pub times: HeatTimes,
+}
+
+/// How long the stages of building a [`HeatSolver`] took, by the clock; 0 for those that another solver had done.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct HeatTimes {
+    /// Edge lengths, mollification and edge flips.
+    pub delaunay: Duration,
+    /// The matrices M and L.
+    pub assembly: Duration,
+    /// The fill-reducing ordering.
+    pub order: Duration,
+    /// Where the factor has entries.
+    pub symbolic: Duration,
+    /// The factor of L.
+    pub poisson: Duration,
+    /// The factor of M + t L; two with a boundary blend.
+    pub heat: Duration,
 }
 
 /// The factorised systems of one mesh, for any number of queries by any number of threads; clones share them.
@@ -105,26 +130,10 @@ pub struct HeatSolver {
     /// t in units squared.
     time_step: f64,
     /// M + t L.
-    neumann: Arc<dyn Factor>,
-    /// The same, with u = 0 prescribed on the boundary; only if the boundary blend is not 0.
-    dirichlet: Option<Arc<dyn Factor>>,
-}
-
-/// Everything that does not depend on t.
-#[derive(Debug)]
-struct Systems {
-    mesh: Mesh,
-    scale: Scale,
-    boundary: f64,
-    shift: Shift,
-    report: HeatReport,
-    operators: Operators,
-    /// Vertices that no triangle uses: identity rows in every system.
-    unused: Vec<bool>,
-    on_boundary: Vec<bool>,
-    symbolic: Arc<dyn Symbolic>,
-    /// L with φ = 0 prescribed at the first vertex of each component.
-    poisson: Arc<dyn Factor>,
+    neumann: Arc<Factor>,
+    /// The same, with u = 0 held on the boundary; only if the boundary blend is not 0.
+    dirichlet: Option<Arc<Factor>>,
+    factor_time: Duration,
 }
 
 impl HeatSolver {
@@ -140,10 +149,7 @@ impl HeatSolver {
             let message = format!("boundary is {}, which is not in [0, 1]", options.boundary);
             return Err(Error::new(Reason::BadArgument, message));
         }
-        let time_step = options.time_step.unit_value(mesh, Scale::of(mesh))?;
-        control.checkpoint(0.0)?;
-        let systems = Systems::new(mesh, options, control)?;
-        HeatSolver::timed(Arc::new(systems), time_step, control)
+        HeatSolver::build(mesh, options, None, control)
     }
 
     /// A solver for another time step; it shares everything but the heat systems, which are factorised anew.
@@ -152,7 +158,25 @@ impl HeatSolver {
     /// As [`HeatSolver::new`].
     pub fn with_time_step(&self, step: &TimeStep, control: &Control) -> Result<HeatSolver> {
         let time_step = step.unit_value(&self.systems.mesh, self.systems.scale)?;
+        control.checkpoint(0.0)?;
         HeatSolver::timed(Arc::clone(&self.systems), time_step, control)
+    }
+
+    /// A solver with the options of this one for the same triangles in another place, as
+    /// [`Mesh::with_positions`] gives them. It saves the fill-reducing ordering, and where no other edges
+    /// are flipped than before the symbolic analysis too.
+    ///
+    /// The time step is that of the options of [`HeatSolver::new`].
+    ///
+    /// # Errors
+    /// [`Reason::BadArgument`] if the mesh has other triangles or another number of vertices; else as
+    /// [`HeatSolver::new`].
+    pub fn with_mesh(&self, mesh: &Mesh, control: &Control) -> Result<HeatSolver> {
+        let before = &self.systems.mesh;
+        if mesh.vertex_count() != before.vertex_count() || mesh.triangles() != before.triangles() {
+            return Err(Error::new(Reason::BadArgument, "the mesh has other triangles than the one before"));
+        }
+        HeatSolver::build(mesh, &self.systems.options, Some(&self.systems), control)
     }
 
     /// The time step t, in mesh units squared; +inf or 0 where these do not fit a number.
@@ -162,265 +186,42 @@ impl HeatSolver {
         scale.to_mesh(scale.to_mesh(self.time_step))
     }
 
-    /// What building did to the triangulation.
+    /// What building did.
     #[must_use]
     pub fn report(&self) -> HeatReport {
-        self.systems.report
+        let report = self.systems.report;
+        HeatReport { times: HeatTimes { heat: self.factor_time, ..report.times }, ..report }
     }
 
-    /// The distance of each vertex to the nearest source (its offset included), in mesh units and vertex order; +inf
-    /// where no source reaches: in a component without a source, and at vertices that no triangle uses.
+    /// The distances of all vertices to the nearest source, its offset included.
     ///
     /// # Errors
-    /// [`Reason::NoSource`]; [`Reason::VertexOutOfRange`] and [`Reason::BadArgument`] (an offset that is not finite, or
-    /// out of all proportion to the mesh) name the source, as does [`Reason::SourceOnBoundary`], raised only if the
-    /// boundary blend is 1; [`Reason::NotPositiveDefinite`] if a solution is not finite; [`Reason::OutOfMemory`];
-    /// [`Reason::Cancelled`].
-    pub fn distances(&self, sources: &[Source], control: &Control) -> Result<Vec<f64>> {
-        let placed = self.systems.place(sources)?;
+    /// [`Reason::NoSource`]; [`Reason::VertexOutOfRange`] and [`Reason::BadArgument`] (no place on the mesh, or an offset
+    /// that is not finite or out of all proportion to the mesh) name the source, as does [`Reason::SourceOnBoundary`],
+    /// raised only if the boundary blend is 1; [`Reason::NotPositiveDefinite`] if a solution is not finite;
+    /// [`Reason::OutOfMemory`]; [`Reason::Cancelled`].
+    pub fn field(&self, sources: &[Source], control: &Control) -> Result<HeatField> {
+        let seeds = Source::checked(sources, &self.systems.mesh)?;
+        let [field] = self.fields([(0, &seeds)], Piece::whole(control))?;
+        Ok(field)
+    }
+
+    fn build(mesh: &Mesh, options: &HeatOptions, like: Option<&Systems>, control: &Control) -> Result<HeatSolver> {
+        let time_step = options.time_step.unit_value(mesh, Scale::of(mesh))?;
         control.checkpoint(0.0)?;
-        let mut u = self.heat(&placed)?;
-        // Where cotangents are negative u may be negative too, far from the sources; its magnitude still falls away from
-        // them. Mean error in percent, plain cotangents: camel 11.8 with the sign, 3.4 without.
-        u.iter_mut().for_each(|u| *u = u.abs());
-        control.checkpoint(0.4)?;
-        let divergence = self.systems.operators.divergence_of_direction(&u);
-        control.checkpoint(0.5)?;
-        let phi = self.systems.potential(divergence, &placed)?;
-        control.checkpoint(1.0)?;
-        Ok(self.systems.shifted(phi, &placed))
+        let systems = Systems::new(mesh, options, like, control)?;
+        HeatSolver::timed(Arc::new(systems), time_step, control)
     }
 
     fn timed(systems: Arc<Systems>, time_step: f64, control: &Control) -> Result<HeatSolver> {
-        let neumann = systems.factor_heat(time_step, &systems.unused)?;
+        let start = Instant::now();
+        let neumann = Arc::new(systems.factor_heat(time_step, false)?);
         control.checkpoint(0.9)?;
-        let dirichlet = if systems.boundary > 0.0 {
-            let absorbing: Vec<bool> = systems.unused.iter().zip(&systems.on_boundary).map(|(&a, &b)| a || b).collect();
-            Some(systems.factor_heat(time_step, &absorbing)?)
-        } else {
-            None
+        let dirichlet = match systems.options.boundary > 0.0 {
+            true => Some(Arc::new(systems.factor_heat(time_step, true)?)),
+            false => None,
         };
         control.checkpoint(1.0)?;
-        Ok(HeatSolver { systems, time_step, neumann, dirichlet })
-    }
-
-    /// u = (1 - b) u_Neumann + b u_Dirichlet.
-    fn heat(&self, placed: &Placed) -> Result<Vec<f64>> {
-        let b = self.systems.boundary;
-        let mut u = vec![0.0; self.systems.mesh.vertex_count()];
-        for source in &placed.sources {
-            u[source.v] = (-source.offset / self.time_step.sqrt()).exp();
-        }
-        let Some(dirichlet) = &self.dirichlet else {
-            solve(&*self.neumann, &mut u)?;
-            return Ok(u);
-        };
-        let mut absorbed = u.clone();
-        absorbed.iter_mut().zip(&self.systems.on_boundary).filter(|(_, on)| **on).for_each(|(u, _)| *u = 0.0);
-        solve(&**dirichlet, &mut absorbed)?;
-        solve(&*self.neumann, &mut u)?;
-        Ok(u.iter().zip(&absorbed).map(|(neumann, dirichlet)| (1.0 - b) * neumann + b * dirichlet).collect())
-    }
-}
-
-/// The sources of one query, as the systems use them.
-struct Placed {
-    sources: Vec<PlacedSource>,
-    /// Of each component: its smallest offset, in mesh units, and how many sources it has.
-    base: Vec<f64>,
-    count: Vec<u32>,
-}
-
-struct PlacedSource {
-    v: usize,
-    component: u32,
-    /// The offset as it was given, in mesh units.
-    given_offset: f64,
-    /// The offset above the smallest of its component, in units.
-    offset: f64,
-}
-
-/// A source as it was given.
-struct Start {
-    v: u32,
-    offset: f64,
-}
-
-/// Heat starts at vertices.
-fn start(seed: Seed) -> Result<Start> {
-    let what = match seed.origin {
-        Origin::Place(Place::Vertex(v)) => return Ok(Start { v, offset: seed.offset }),
-        Origin::Place(Place::Face(point)) => format!("lies inside triangle {}", point.face),
-        Origin::Curve(_) => "is a curve".to_owned(),
-    };
-    let message = format!("{what}; the heat method starts at vertices");
-    Err(Error::at(Reason::BadArgument, Element::Source(u64::from(seed.source)), message))
-}
-
-impl Systems {
-    fn new(mesh: &Mesh, options: &HeatOptions, control: &Control) -> Result<Systems> {
-        let scale = Scale::of(mesh);
-        let mut metric = Metric::of(mesh, scale);
-        let mollified = mollify::mollify(&mut metric);
-        control.checkpoint(0.05)?;
-        let flips = match options.laplacian {
-            Laplacian::Intrinsic => delaunay::make_delaunay(&mut metric, mesh),
-            Laplacian::Plain => delaunay::Flips::default(),
-        };
-        control.checkpoint(0.1)?;
-        let operators = Operators::new(metric, mesh.vertex_count());
-        control.checkpoint(0.2)?;
-        let symbolic = linear::analyze(options.solver, operators.stiffness.pattern())?;
-        control.checkpoint(0.5)?;
-        let poisson = factor_poisson(&operators, &*symbolic, &held(mesh))?;
-        control.checkpoint(0.7)?;
-        Ok(Systems {
-            scale,
-            boundary: options.boundary,
-            shift: options.shift,
-            report: HeatReport { mollified, flips: flips.flips, stuck_edges: flips.stuck },
-            operators,
-            unused: mesh.topology().component.iter().map(|&component| component == NONE).collect(),
-            on_boundary: boundary::boundary_vertices(mesh),
-            symbolic,
-            poisson,
-            mesh: mesh.clone(),
-        })
-    }
-
-    /// M + t L, with 0 prescribed at some vertices; t in units squared.
-    fn factor_heat(&self, t: f64, prescribed: &[bool]) -> Result<Arc<dyn Factor>> {
-        let stiffness = &self.operators.stiffness;
-        let mut values: Vec<f64> = stiffness.values().iter().map(|value| t * value).collect();
-        for (mass, &diagonal) in self.operators.mass.iter().zip(stiffness.col_offsets()) {
-            values[diagonal] += mass; // the diagonal comes first in its column
-        }
-        boundary::constrain(stiffness.pattern(), &mut values, prescribed);
-        self.symbolic.factor(&values)
-    }
-
-    /// Checks the sources and expresses them in units.
-    fn place(&self, sources: &[Source]) -> Result<Placed> {
-        let topology = self.mesh.topology();
-        let mut starts = Source::checked(sources, &self.mesh)?.into_iter().map(start).collect::<Result<Vec<_>>>()?;
-        let mut base = vec![f64::INFINITY; topology.component_count as usize];
-        let mut count = vec![0; topology.component_count as usize];
-        let component = |start: &Start| topology.component[start.v as usize];
-        for start in starts.iter().filter(|start| component(start) != NONE) {
-            let c = component(start) as usize;
-            base[c] = start.offset.min(base[c]);
-        }
-        for (i, start) in (0..).zip(&starts) {
-            if self.boundary == 1.0 && self.on_boundary[start.v as usize] {
-                let message = "lies on the boundary, which absorbs all heat (boundary is 1)";
-                return Err(Error::at(Reason::SourceOnBoundary, Element::Source(i), message));
-            }
-            let c = component(start);
-            if c != NONE && !self.scale.to_unit(start.offset - base[c as usize]).is_finite() {
-                let message = format!("has the start distance {}, out of all proportion to the mesh", start.offset);
-                return Err(Error::at(Reason::BadArgument, Element::Source(i), message));
-            }
-        }
-        // Of several at one vertex only the nearest counts.
-        starts.sort_by(|a, b| a.v.cmp(&b.v).then(a.offset.total_cmp(&b.offset)));
-        starts.dedup_by_key(|start| start.v);
-        for start in starts.iter().filter(|start| component(start) != NONE) {
-            count[component(start) as usize] += 1;
-        }
-        let place = |start: &Start| {
-            let smallest = base.get(component(start) as usize).copied().unwrap_or(start.offset);
-            PlacedSource {
-                v: start.v as usize,
-                component: component(start),
-                given_offset: start.offset,
-                offset: self.scale.to_unit(start.offset - smallest),
-            }
-        };
-        Ok(Placed { sources: starts.iter().map(place).collect(), base, count })
-    }
-
-    /// φ in units, up to a constant in each component; where several sources are pinned, the constant is right.
-    fn potential(&self, divergence: Vec<f64>, placed: &Placed) -> Result<Vec<f64>> {
-        let mut phi: Vec<f64> = divergence.into_iter().map(|x| -x).collect();
-        let several = placed.count.iter().any(|&count| count > 1);
-        let mut prescribed = held(&self.mesh);
-        if self.shift == Shift::Min || !several {
-            phi.iter_mut().zip(&prescribed).filter(|(_, held)| **held).for_each(|(x, _)| *x = 0.0);
-            solve(&*self.poisson, &mut phi)?;
-            return Ok(phi);
-        }
-        // Sources take the place of the held vertex of their component.
-        for (v, &component) in self.mesh.topology().component.iter().enumerate() {
-            prescribed[v] &= component == NONE || placed.count[component as usize] == 0;
-        }
-        placed.sources.iter().for_each(|source| prescribed[source.v] = true);
-        phi.iter_mut().zip(&prescribed).filter(|(_, prescribed)| **prescribed).for_each(|(x, _)| *x = 0.0);
-        placed.sources.iter().for_each(|source| phi[source.v] = source.offset);
-        let stiffness = &self.operators.stiffness;
-        boundary::move_prescribed(stiffness.pattern(), stiffness.values(), &prescribed, &mut phi);
-        solve(&*factor_poisson(&self.operators, &*self.symbolic, &prescribed)?, &mut phi)?;
-        Ok(phi)
-    }
-
-    /// Distances in mesh units: φ with its constant, +inf where there is no source.
-    fn shifted(&self, mut phi: Vec<f64>, placed: &Placed) -> Vec<f64> {
-        let component = &self.mesh.topology().component;
-        // The value of φ, per component, at which the distance is the smallest offset.
-        let mut zero = vec![f64::INFINITY; placed.base.len()];
-        match self.shift {
-            Shift::Min => {
-                for (&x, &c) in phi.iter().zip(component).filter(|(_, c)| **c != NONE) {
-                    zero[c as usize] = x.min(zero[c as usize]);
-                }
-            }
-            // With several sources φ already has its constant: at the source with the smallest offset it is 0.
-            Shift::Pinned => {
-                for source in placed.sources.iter().filter(|source| source.component != NONE && source.offset == 0.0) {
-                    zero[source.component as usize] = phi[source.v];
-                }
-            }
-        }
-        for (x, &c) in phi.iter_mut().zip(component) {
-            *x = match placed.count.get(c as usize) {
-                // Nothing is nearer than the nearest source; the field, which is approximate, may dip below beside it.
-                Some(1..) => placed.base[c as usize] + self.scale.to_mesh((*x - zero[c as usize]).max(0.0)),
-                _ => f64::INFINITY,
-            };
-        }
-        // Exactly, where rounding moved an offset; and at vertices that no triangle uses.
-        for source in &placed.sources {
-            if self.shift == Shift::Pinned || source.component == NONE {
-                phi[source.v] = source.given_offset;
-            }
-        }
-        phi
-    }
-}
-
-/// Where the Poisson system holds φ: at the first vertex of each component and where no triangle is.
-fn held(mesh: &Mesh) -> Vec<bool> {
-    let topology = mesh.topology();
-    let mut seen = vec![false; topology.component_count as usize];
-    let first = |&c: &u32| c == NONE || !std::mem::replace(&mut seen[c as usize], true);
-    topology.component.iter().map(first).collect()
-}
-
-/// L, with φ prescribed at some vertices.
-fn factor_poisson(operators: &Operators, symbolic: &dyn Symbolic, prescribed: &[bool]) -> Result<Arc<dyn Factor>> {
-    let mut values = operators.stiffness.values().to_vec();
-    boundary::constrain(operators.stiffness.pattern(), &mut values, prescribed);
-    symbolic.factor(&values)
-}
-
-/// Solves in place; a solution that is not finite is an error.
-fn solve(factor: &dyn Factor, x: &mut [f64]) -> Result<()> {
-    factor.solve_in_place(x)?;
-    if x.iter().all(|x| x.is_finite()) {
-        Ok(())
-    } else {
-        Err(Error::new(
-            Reason::NotPositiveDefinite,
-            "a system is singular in floating point: its solution is not finite",
-        ))
+        Ok(HeatSolver { systems, time_step, neumann, dirichlet, factor_time: start.elapsed() })
     }
 }

@@ -1,45 +1,72 @@
-//! Backend faer: sparse Cholesky A = L Lᵀ, supernodal where the factor is dense enough, with its AMD ordering.
+//! Backend faer: supernodal sparse Cholesky A = L Lᵀ, and its approximate minimum degree ordering.
 
-use super::{Factor, Symbolic, not_positive_definite, out_of_memory, zeros};
+use super::factor::{Factor, Structure};
+use super::ordering::Ordering;
+use super::{Symbolic, not_positive_definite, out_of_memory, zeros};
 use crate::error::{Error, Reason, Result};
 use ::faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use ::faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
+use ::faer::perm::PermRef;
+use ::faer::sparse::linalg::amd;
+use ::faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 use ::faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
+    CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
+use ::faer::sparse::linalg::{SupernodalThreshold, SymbolicSupernodalParams};
 use ::faer::sparse::{FaerError, SparseColMatRef, SymbolicSparseColMatRef};
-use ::faer::{Conj, MatMut, Par, Side};
+use ::faer::{Par, Side};
 use nalgebra_sparse::pattern::SparsityPattern;
 use std::sync::Arc;
 
-/// A pattern with its ordering and the structure of its factor.
+/// Two supernodes become one of up to so many columns where less than this share of it is zeros.
+const RELAX: &[(usize, f64)] = &[(8, 1.0), (32, 0.5), (64, 0.2), (usize::MAX, 0.1)];
+
+/// A pattern with the structure of its factor.
 #[derive(Debug)]
 pub(super) struct Analysis {
     column_starts: Vec<u32>,
     rows: Vec<u32>,
-    symbolic: Arc<SymbolicCholesky<u32>>,
+    symbolic: SymbolicCholesky<u32>,
+    structure: Arc<Structure>,
 }
 
 impl Analysis {
-    pub(super) fn new(pattern: &SparsityPattern) -> Result<Analysis> {
-        if pattern.nnz() > i32::MAX as usize {
-            return Err(too_large());
-        }
-        let to_u32 = |numbers: &[usize]| numbers.iter().map(|&i| i as u32).collect::<Vec<u32>>(); // fits, as just checked
-        let (column_starts, rows) = (to_u32(pattern.major_offsets()), to_u32(pattern.minor_indices()));
-        let symbolic = factorize_symbolic_cholesky(
-            matrix_pattern(&column_starts, &rows),
-            Side::Lower,
-            SymmetricOrdering::Amd,
-            CholeskySymbolicParams::default(),
-        )
-        .map_err(|error| if matches!(error, FaerError::IndexOverflow) { too_large() } else { out_of_memory() })?;
-        Ok(Analysis { column_starts, rows, symbolic: Arc::new(symbolic) })
+    pub(super) fn new(pattern: &SparsityPattern, ordering: Arc<Ordering>) -> Result<Analysis> {
+        let (column_starts, rows) = narrow(pattern)?;
+        let order = PermRef::new_checked(ordering.rows(), ordering.columns(), ordering.rows().len());
+        let parameters = CholeskySymbolicParams {
+            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+            supernodal_params: SymbolicSupernodalParams { relax: Some(RELAX) },
+            ..CholeskySymbolicParams::default()
+        };
+        let pattern = matrix_pattern(&column_starts, &rows);
+        let symbolic = factorize_symbolic_cholesky(pattern, Side::Lower, SymmetricOrdering::Custom(order), parameters)
+            .map_err(|error| if matches!(error, FaerError::IndexOverflow) { too_large() } else { out_of_memory() })?;
+        let structure = match symbolic.raw() {
+            SymbolicCholeskyRaw::Supernodal(supernodal) => structure(supernodal, ordering),
+            // A matrix without rows has no supernodes either.
+            SymbolicCholeskyRaw::Simplicial(_) => Structure::new(ordering, vec![0], Vec::new(), vec![0], Vec::new()),
+        };
+        Ok(Analysis { column_starts, rows, symbolic, structure: Arc::new(structure) })
     }
 }
 
+fn structure(supernodal: &SymbolicSupernodalCholesky<u32>, ordering: Arc<Ordering>) -> Structure {
+    let count = supernodal.n_supernodes();
+    let mut columns = supernodal.supernode_begin().to_vec();
+    columns.push(supernodal.ncols() as u32); // fits: the ordering counts by u32
+    let mut row_start = vec![0];
+    let mut rows = Vec::with_capacity(supernodal.row_idx().len());
+    for s in 0..count {
+        rows.extend_from_slice(supernodal.supernode(s).pattern());
+        row_start.push(rows.len() as u32); // fits: fewer than values, which faer counts by u32
+    }
+    let value_start = supernodal.col_ptr_for_val()[..count].iter().map(|&start| start as usize).collect();
+    Structure::new(ordering, columns, rows, row_start, value_start)
+}
+
 impl Symbolic for Analysis {
-    fn factor(&self, values: &[f64]) -> Result<Arc<dyn Factor>> {
+    fn factor(&self, values: &[f64]) -> Result<Factor> {
         let mut scratch =
             scratch(self.symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, ::faer::Spec::default()))?;
         let mut factor = zeros(self.symbolic.len_val())?;
@@ -53,31 +80,35 @@ impl Symbolic for Analysis {
             ::faer::Spec::default(),
         );
         match factorised {
-            Ok(_) => Ok(Arc::new(Cholesky { symbolic: Arc::clone(&self.symbolic), values: factor })),
+            Ok(_) => Ok(Factor::new(Arc::clone(&self.structure), factor)),
             Err(LltError::NonPositivePivot { .. }) => Err(not_positive_definite()),
         }
     }
-}
 
-/// The factor L.
-#[derive(Debug)]
-struct Cholesky {
-    symbolic: Arc<SymbolicCholesky<u32>>,
-    values: Vec<f64>,
-}
-
-impl Factor for Cholesky {
-    fn solve_in_place(&self, x: &mut [f64]) -> Result<()> {
-        let mut scratch = scratch(self.symbolic.solve_in_place_scratch::<f64>(1, Par::Seq))?;
-        let n = x.len();
-        LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
-            Conj::No,
-            MatMut::from_column_major_slice_mut(x, n, 1),
-            Par::Seq,
-            MemStack::new(&mut scratch),
-        );
-        Ok(())
+    fn ordering(&self) -> &Arc<Ordering> {
+        &self.structure.ordering
     }
+}
+
+/// The ordering of the lower triangle `pattern`.
+pub(super) fn order(pattern: &SparsityPattern) -> Result<Ordering> {
+    let (column_starts, rows) = narrow(pattern)?;
+    let n = pattern.major_dim();
+    let (mut forward, mut inverse) = (vec![0; n], vec![0; n]);
+    let mut scratch = scratch(amd::order_maybe_unsorted_scratch::<u32>(n, rows.len()))?;
+    let (pattern, stack) = (matrix_pattern(&column_starts, &rows), MemStack::new(&mut scratch));
+    amd::order_maybe_unsorted(&mut forward, &mut inverse, pattern, amd::Control::default(), stack)
+        .map_err(|_| too_large())?;
+    Ok(Ordering::new(forward, inverse))
+}
+
+/// The arrays of a pattern with indices of 32 bits.
+fn narrow(pattern: &SparsityPattern) -> Result<(Vec<u32>, Vec<u32>)> {
+    if pattern.nnz() > i32::MAX as usize {
+        return Err(too_large());
+    }
+    let narrow = |numbers: &[usize]| numbers.iter().map(|&i| i as u32).collect(); // fits, as just checked
+    Ok((narrow(pattern.major_offsets()), narrow(pattern.minor_indices())))
 }
 
 fn matrix_pattern<'a>(column_starts: &'a [u32], rows: &'a [u32]) -> SymbolicSparseColMatRef<'a, u32> {
@@ -91,18 +122,4 @@ fn scratch(request: StackReq) -> Result<MemBuffer> {
 
 fn too_large() -> Error {
     Error::new(Reason::TooManyElements, "the matrix or its factor exceeds 32-bit indices")
-}
-
-/// A fill-reducing ordering: row i of the reordered matrix is row `ordering[i]` of the given one.
-#[cfg(feature = "ldl")]
-pub(super) fn amd_ordering(pattern: &SparsityPattern) -> Result<Vec<usize>> {
-    use ::faer::sparse::linalg::amd;
-    let n = pattern.major_dim();
-    let (mut forward, mut inverse) = (vec![0; n], vec![0; n]);
-    let lower = SymbolicSparseColMatRef::new_checked(n, n, pattern.major_offsets(), None, pattern.minor_indices());
-    let mut scratch = scratch(amd::order_maybe_unsorted_scratch::<usize>(n, pattern.nnz()))?;
-    let stack = MemStack::new(&mut scratch);
-    amd::order_maybe_unsorted(&mut forward, &mut inverse, lower, amd::Control::default(), stack)
-        .map_err(|_| too_large())?;
-    Ok(forward)
 }

@@ -2,7 +2,9 @@
 //!
 //! sprs-ldl is LGPL-2.1; it takes the whole matrix, so the lower triangle is mirrored.
 
-use super::{Factor, Symbolic, faer::amd_ordering, not_positive_definite};
+use super::factor::{Factor, Structure};
+use super::ordering::Ordering;
+use super::{Symbolic, not_positive_definite};
 use crate::error::Result;
 use nalgebra_sparse::pattern::SparsityPattern;
 use sprs::{CsMatView, PermOwned, SymmetryCheck};
@@ -17,17 +19,18 @@ pub(super) struct Analysis {
     /// Where in the lower triangle each entry of the whole matrix is.
     entry: Vec<usize>,
     symbolic: LdlSymbolic<usize>,
+    ordering: Arc<Ordering>,
 }
 
 impl Analysis {
-    pub(super) fn new(pattern: &SparsityPattern) -> Result<Analysis> {
+    pub(super) fn new(pattern: &SparsityPattern, ordering: Arc<Ordering>) -> Analysis {
         let n = pattern.major_dim();
-        let ordering = PermOwned::new(amd_ordering(pattern)?);
+        let order = PermOwned::new(ordering.rows().iter().map(|&row| row as usize).collect());
         let (column_starts, rows, entry) = mirrored(pattern);
         // The symbolic analysis looks at no value, but its type asks for some.
         let matrix = CsMatView::new_csc((n, n), &column_starts, &rows, &entry);
-        let symbolic = LdlSymbolic::new_perm(matrix, ordering, SymmetryCheck::DontCheckSymmetry);
-        Ok(Analysis { column_starts, rows, entry, symbolic })
+        let symbolic = LdlSymbolic::new_perm(matrix, order, SymmetryCheck::DontCheckSymmetry);
+        Analysis { column_starts, rows, entry, symbolic, ordering }
     }
 }
 
@@ -57,51 +60,77 @@ fn mirrored(pattern: &SparsityPattern) -> (Vec<usize>, Vec<usize>, Vec<usize>) {
 }
 
 impl Symbolic for Analysis {
-    fn factor(&self, values: &[f64]) -> Result<Arc<dyn Factor>> {
+    fn factor(&self, values: &[f64]) -> Result<Factor> {
         let n = self.column_starts.len() - 1;
         if n < 2 {
-            return Diagonal::factor(values);
+            return self.of_one_row(values);
         }
         let values: Vec<f64> = self.entry.iter().map(|&i| values[i]).collect();
         let matrix = CsMatView::new_csc((n, n), &self.column_starts, &self.rows, &values);
         let numeric = self.symbolic.clone().factor(matrix).map_err(|_| not_positive_definite())?;
         // sprs-ldl stops only at a pivot that is exactly 0; NaN is not positive either.
         if numeric.d().iter().all(|&pivot| pivot > 0.0) {
-            Ok(Arc::new(Ldl(numeric)))
+            Ok(self.simplicial(&numeric))
         } else {
             Err(not_positive_definite())
         }
     }
-}
 
-/// The factors L and D.
-#[derive(Debug)]
-struct Ldl(LdlNumeric<f64, usize>);
-
-impl Factor for Ldl {
-    fn solve_in_place(&self, x: &mut [f64]) -> Result<()> {
-        x.copy_from_slice(&self.0.solve(&*x));
-        Ok(())
+    fn ordering(&self) -> &Arc<Ordering> {
+        &self.ordering
     }
 }
 
-/// A matrix of at most one row, which sprs-ldl does not take.
-#[derive(Debug)]
-struct Diagonal(Vec<f64>);
-
-impl Diagonal {
-    fn factor(values: &[f64]) -> Result<Arc<dyn Factor>> {
-        if values.iter().all(|&pivot| pivot > 0.0) {
-            Ok(Arc::new(Diagonal(values.to_vec())))
-        } else {
-            Err(not_positive_definite())
+impl Analysis {
+    /// L D Lᵀ as L √D (L √D)ᵀ: each column is a supernode of its own.
+    fn simplicial(&self, numeric: &LdlNumeric<f64, usize>) -> Factor {
+        let (l, d) = (numeric.l(), numeric.d());
+        let mut columns = Columns::default();
+        for (j, column) in l.outer_iterator().enumerate() {
+            let mut below: Vec<(usize, f64)> = column.iter().map(|(row, &value)| (row, value)).collect();
+            below.sort_unstable_by_key(|&(row, _)| row);
+            columns.push(d[j].sqrt(), &below);
         }
+        columns.factor(Arc::clone(&self.ordering))
+    }
+
+    /// A matrix of at most one row, which sprs-ldl does not take.
+    fn of_one_row(&self, values: &[f64]) -> Result<Factor> {
+        let mut columns = Columns::default();
+        for &pivot in values {
+            if pivot.is_nan() || pivot <= 0.0 {
+                return Err(not_positive_definite());
+            }
+            columns.push(pivot.sqrt(), &[]);
+        }
+        Ok(columns.factor(Arc::clone(&self.ordering)))
     }
 }
 
-impl Factor for Diagonal {
-    fn solve_in_place(&self, x: &mut [f64]) -> Result<()> {
-        x.iter_mut().zip(&self.0).for_each(|(x, pivot)| *x /= pivot);
-        Ok(())
+/// The columns of a factor, as they come.
+#[derive(Default)]
+struct Columns {
+    row_start: Vec<u32>,
+    rows: Vec<u32>,
+    value_start: Vec<usize>,
+    values: Vec<f64>,
+}
+
+impl Columns {
+    /// A column of `diagonal` times 1 and what is below.
+    fn push(&mut self, diagonal: f64, below: &[(usize, f64)]) {
+        self.row_start.push(self.rows.len() as u32);
+        self.value_start.push(self.values.len());
+        self.values.push(diagonal);
+        self.values.extend(below.iter().map(|&(_, value)| value * diagonal));
+        self.rows.extend(below.iter().map(|&(row, _)| row as u32));
+    }
+
+    fn factor(mut self, ordering: Arc<Ordering>) -> Factor {
+        let count = self.row_start.len() as u32;
+        self.row_start.push(self.rows.len() as u32);
+        let Columns { row_start, rows, value_start, values } = self;
+        let structure = Structure::new(ordering, (0..=count).collect(), rows, row_start, value_start);
+        Factor::new(Arc::new(structure), values)
     }
 }

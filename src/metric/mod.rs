@@ -115,9 +115,17 @@ impl Scale {
 
     /// The position of each vertex in units.
     pub(crate) fn unit_positions(self, mesh: &Mesh) -> Vec<[f64; 3]> {
-        // A coordinate that overflows is too far out for its neighbours to differ from it: all are clamped to the same.
-        let coordinate = |x: f64| self.to_unit(x).clamp(-f64::MAX, f64::MAX);
-        mesh.positions().iter().map(|position| position.map(coordinate)).collect()
+        mesh.positions().iter().map(|&position| self.position(position)).collect()
+    }
+
+    /// The position of a vertex in units.
+    pub(crate) fn unit_position(self, mesh: &Mesh, v: u32) -> [f64; 3] {
+        self.position(mesh.positions()[v as usize])
+    }
+
+    /// A coordinate that overflows is too far out for its neighbours to differ from it: all are clamped to the same.
+    fn position(self, position: [f64; 3]) -> [f64; 3] {
+        position.map(|x| self.to_unit(x).clamp(-f64::MAX, f64::MAX))
     }
 
     /// A length in units as a length of the mesh.

@@ -43,4 +43,9 @@ impl Operators {
             triangles: metric.triangles,
         }
     }
+
+    /// How many triangles there are.
+    pub(crate) fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
 }

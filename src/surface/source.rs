@@ -103,6 +103,20 @@ impl Source {
         };
         (0..).zip(sources).map(seed).collect()
     }
+
+    /// Checks several sets of sources; each counts its own, errors count through all sets.
+    pub(crate) fn checked_sets(sets: &[Vec<Source>], mesh: &Mesh) -> Result<Vec<Vec<Seed>>> {
+        let mut before = 0;
+        let checked = |set: &Vec<Source>| {
+            let seeds = Source::checked(set, mesh).map_err(|error| match error.element() {
+                Some(Element::Source(i)) => error.about(Element::Source(before + i)),
+                _ => error,
+            });
+            before += set.len() as u64;
+            seeds
+        };
+        sets.iter().map(checked).collect()
+    }
 }
 
 fn out_of_range(v: u32, mesh: &Mesh) -> String {
