@@ -48,8 +48,8 @@ pub use control::Control;
 pub use error::{Element, Error, Reason, Result, Status};
 pub use exact::{ExactField, ExactOptions, ExactSolver, SparseDistances};
 pub use heat::{
-    HeatField, HeatOptions, HeatReport, HeatSolver, HeatTimes, Laplacian, Shift, Solver, TimeFormula, TimeScale,
-    TimeStep,
+    HeatField, HeatOptions, HeatReport, HeatResiduals, HeatSolver, HeatTimes, Laplacian, Shift, Solver, TimeFormula,
+    TimeScale, TimeStep,
 };
 pub use mesh::Mesh;
 pub use mesh::input::{ElementType, Faces, IndexType, Rows, ScalarType};

@@ -227,6 +227,20 @@ fn rows_are_fields() {
     assert_eq!(error.element(), Some(Element::Source(14)));
 }
 
+/// Both systems are solved to rounding; what is left is told as it is.
+#[test]
+fn residuals_are_rounding() {
+    let mesh = shapes::terrain(40, 0.4).mesh().unwrap();
+    let options = HeatOptions { boundary: 0.5, ..HeatOptions::default() };
+    let solver = HeatSolver::new(&mesh, &options, &Control::new()).unwrap();
+    for sources in [vec![Source::vertex(7)], vec![Source::vertex(7), Source::point(inside(900, [0.2, 0.2, 0.6]))]] {
+        let residuals = solver.residuals(&sources, &Control::new()).unwrap();
+        for residual in [residuals.heat, residuals.poisson] {
+            assert!(residual > 0.0 && residual < 1e-12, "{residuals:?}");
+        }
+    }
+}
+
 // ------------------------------------------------------------------------------------------------- other positions
 
 /// A mesh that moves: the solver of the place before gives what a new one gives.

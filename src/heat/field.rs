@@ -76,7 +76,7 @@ impl HeatSolver {
 
 impl Systems {
     /// φ of K queries in units, up to a constant in each component.
-    fn potentials<const K: usize>(&self, flows: &[Flow; K], placed: &[Placed; K]) -> Result<Vec<[f64; K]>> {
+    pub(super) fn potentials<const K: usize>(&self, flows: &[Flow; K], placed: &[Placed; K]) -> Result<Vec<[f64; K]>> {
         let pins: [Vec<Vec<Pin>>; K] = array::from_fn(|k| match self.options.shift {
             Shift::Pinned => placed[k].parts.iter().map(|part| part.pins.clone()).collect(),
             Shift::Min => Vec::new(),

@@ -33,6 +33,16 @@ pub(super) struct Flow {
 impl HeatSolver {
     /// The flows of K queries.
     pub(super) fn flows<const K: usize>(&self, placed: &[Placed; K]) -> Result<[Flow; K]> {
+        let u = self.heat(&self.charges(placed))?;
+        let mut flows = array::from_fn(|_| Flow { divergence: Vec::new(), restarts: 0, nonpositive: 0 });
+        for (k, flow) in flows.iter_mut().enumerate() {
+            *flow = self.flow(&placed[k], u.iter().map(|u| u[k]).collect())?;
+        }
+        Ok(flows)
+    }
+
+    /// The heat that K queries put in at first.
+    pub(super) fn charges<const K: usize>(&self, placed: &[Placed; K]) -> Vec<(u32, [f64; K])> {
         let mut charges = Vec::new();
         for (k, placed) in placed.iter().enumerate() {
             for charge in placed.charges.iter().filter(|charge| self.exponent(charge) >= FRONT.ln()) {
@@ -40,12 +50,7 @@ impl HeatSolver {
                 charges.push((charge.v, array::from_fn(|i| if i == k { weight } else { 0.0 })));
             }
         }
-        let u = self.heat::<K>(&charges)?;
-        let mut flows = array::from_fn(|_| Flow { divergence: Vec::new(), restarts: 0, nonpositive: 0 });
-        for (k, flow) in flows.iter_mut().enumerate() {
-            *flow = self.flow(&placed[k], u.iter().map(|u| u[k]).collect())?;
-        }
-        Ok(flows)
+        charges
     }
 
     /// The flow of a query whose first heat is `u`.

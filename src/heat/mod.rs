@@ -26,6 +26,7 @@ mod boundary;
 mod field;
 mod flow;
 mod place;
+mod residual;
 mod systems;
 mod time_step;
 
@@ -41,6 +42,7 @@ use systems::Systems;
 
 pub use crate::linear::Solver;
 pub use field::HeatField;
+pub use residual::HeatResiduals;
 pub use time_step::{TimeFormula, TimeScale, TimeStep};
 
 /// On which triangulation of the surface the operators are built.

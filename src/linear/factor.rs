@@ -64,6 +64,9 @@ pub(crate) struct Factor {
 /// How many sums a product of vectors is added up in.
 const LANES: usize = 4;
 
+/// How many columns a backward solve takes at a time.
+const PANEL: usize = 16;
+
 /// Subtracts `column` times `x` from `t`.
 fn subtract<const K: usize>(t: &mut [[f64; K]], column: &[f64], x: [f64; K]) {
     for (t, l) in t.iter_mut().zip(column) {
@@ -131,12 +134,20 @@ impl Supernode<'_> {
         }
     }
 
+    /// Panel by panel: the products with what is known do not wait for each other, so that memory is read ahead.
     fn backward<const K: usize>(&self, x: &mut [[f64; K]], t: &mut Vec<[f64; K]>) {
         self.gather(x, t);
-        for j in (0..self.width).rev() {
-            let column = self.column(j);
-            let product = product(&column[1..], &t[j + 1..]);
-            t[j] = array::from_fn(|k| (t[j][k] - product[k]) / column[0]);
+        for start in (0..self.width).step_by(PANEL).rev() {
+            let end = self.width.min(start + PANEL);
+            let mut known = [[0.0; K]; PANEL];
+            for (j, known) in (start..end).zip(&mut known) {
+                *known = product(&self.column(j)[end - j..], &t[end..]);
+            }
+            for j in (start..end).rev() {
+                let column = self.column(j);
+                let inside = product(&column[1..end - j], &t[j + 1..end]);
+                t[j] = array::from_fn(|k| (t[j][k] - known[j - start][k] - inside[k]) / column[0]);
+            }
         }
         x[self.first..self.first + self.width].copy_from_slice(&t[..self.width]);
     }

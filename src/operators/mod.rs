@@ -44,6 +44,18 @@ impl Operators {
         }
     }
 
+    /// L x.
+    pub(crate) fn stiffness_times(&self, x: &[[f64; 1]]) -> Vec<f64> {
+        let mut product = vec![0.0; x.len()];
+        for (i, j, &value) in self.stiffness.triplet_iter() {
+            product[i] += value * x[j][0];
+            if i != j {
+                product[j] += value * x[i][0];
+            }
+        }
+        product
+    }
+
     /// How many triangles there are.
     pub(crate) fn triangle_count(&self) -> usize {
         self.triangles.len()
