@@ -39,19 +39,28 @@ fn is_vertex(point: &SurfacePoint) -> bool {
 /// neighbour is lower.
 #[track_caller]
 fn check(what: &str, mesh: &Mesh, values: &[f64], path: &DescentPath) {
+    check_way(what, mesh, values, path);
+    let largest = values.iter().filter(|u| u.is_finite()).fold(0.0, |most: f64, u| most.max(u.abs()));
+    let fell: Vec<f64> = path.curve.points.iter().map(|point| value(mesh, values, point)).collect();
+    // The value at a source is its start distance, not that of the field.
+    let end = fell.len() - usize::from(path.source.is_some());
+    for i in 1..end {
+        assert!(fell[i] <= fell[i - 1] + 4.0 * f64::EPSILON * largest, "{what}: rises to point {i}");
+        assert!(fell[i] < fell[i - 1] || is_vertex(&path.curve.points[i]), "{what}: level to point {i}");
+    }
+}
+
+/// What holds also where a path goes over a pass.
+#[track_caller]
+fn check_way(what: &str, mesh: &Mesh, values: &[f64], path: &DescentPath) {
     let Curve { points, is_closed } = &path.curve;
     let positions = path.curve.positions(mesh).unwrap();
     assert!(!is_closed && points.len() <= 1 + mesh.vertex_count() + mesh.triangle_count(), "{what}");
-    let largest = values.iter().filter(|u| u.is_finite()).fold(0.0, |most: f64, u| most.max(u.abs()));
-    let fell: Vec<f64> = points.iter().map(|point| value(mesh, values, point)).collect();
     let is_shared = |i: usize| mesh.positions().iter().filter(|p| **p == positions[i]).count() > 1;
     for i in 1..points.len() {
         assert!(is_in(mesh, &points[i], points[i - 1].face), "{what}: segment {i} leaves its triangle");
         assert_ne!(positions[i - 1], positions[i], "{what}: point {i} twice");
         let is_end = path.source.is_some() && i + 1 == points.len();
-        // The value there is the start distance, not that of the field.
-        assert!(is_end || fell[i] <= fell[i - 1] + 4.0 * f64::EPSILON * largest, "{what}: rises to point {i}");
-        assert!(is_end || fell[i] < fell[i - 1] || is_vertex(&points[i]), "{what}: level to point {i}");
         let weights = points[i].barycentric;
         assert!(is_end || weights.contains(&0.0) && weights.iter().sum::<f64>() == 1.0, "{what}: {weights:?}");
     }
@@ -73,7 +82,7 @@ fn vertices(mesh: &Mesh, step: usize) -> Vec<Target> {
     (0..mesh.vertex_count() as u32).step_by(step).map(Target::Vertex).collect()
 }
 
-/// Paths from vertices and points back to sources, all of which find one; each over the exact distance, descending.
+/// Paths from vertices and points, all of which find a source; each over the exact distance, less 1, in descending order.
 fn excesses(what: &str, mesh: &Mesh, sources: &[Source], values: &[f64], seed: u64) -> Vec<f64> {
     let mut random = Random(seed);
     let points = (0..200).map(|_| Target::Point(random.point(mesh)));
@@ -83,7 +92,7 @@ fn excesses(what: &str, mesh: &Mesh, sources: &[Source], values: &[f64], seed: u
     let mut excesses = Vec::new();
     for (target, path) in targets.iter().zip(&paths) {
         let path = path.as_ref().unwrap();
-        check(what, mesh, values, path);
+        check_way(what, mesh, values, path);
         let end = path.curve.positions(mesh).unwrap()[path.curve.points.len() - 1];
         let source = sources[path.source.expect(what) as usize].positions(mesh).unwrap();
         assert!(source.len() > 1 || euclid(source[0], end) <= 1e-14, "{what}: ends beside its source");
@@ -113,6 +122,7 @@ fn paths_on_distances_are_little_longer_than_the_shortest() {
         ("torus", shapes::torus(60, 40, 2.0, 0.7)),
         ("cylinder", shapes::cylinder(40, 30, 3.0)),
         ("saddle", shapes::saddle(40)),
+        ("terrain", shapes::terrain(40, 0.3)),
     ];
     for (name, shape) in shapes {
         let mesh = shape.mesh().unwrap();
@@ -121,7 +131,7 @@ fn paths_on_distances_are_little_longer_than_the_shortest() {
             let short = excesses(name, &mesh, &sources, &exact(&mesh, &sources), 1);
             assert_short(&format!("{name}, exact"), &short, [0.005, 0.03]);
             let short = excesses(name, &mesh, &sources, &heat(&mesh, &sources), 2);
-            assert_short(&format!("{name}, heat"), &short, [0.02, 0.1]);
+            assert_short(&format!("{name}, heat"), &short, [0.03, 0.1]);
         }
     }
 }
@@ -286,7 +296,7 @@ fn soups() {
         }
         let sources = [Source::vertex(0), Source::vertex(1).with_offset(1.5)];
         for path in descent_paths(&mesh, &values, &sources, &targets).unwrap().iter().flatten() {
-            check(&format!("soup {case} with sources"), &mesh, &values, path);
+            check_way(&format!("soup {case} with sources"), &mesh, &values, path);
         }
     }
 }
@@ -336,6 +346,23 @@ fn what_makes_no_sense_is_named() {
     assert_eq!(fails(&values, &[Source::vertex(1).with_offset(INF)], &[]), (Reason::BadArgument, source));
 }
 
+/// A minimum that is no source holds a path only where no sources are known.
+#[test]
+fn paths_go_on_over_the_lowest_pass() {
+    let mesh = shapes::grid(5, 1).mesh().unwrap();
+    let row = [0.0, 2.0, 1.0, 4.0, 5.0, 6.0];
+    let values = [row, row].concat();
+    let end = |sources: &[Source]| {
+        let path = descent_paths(&mesh, &values, sources, &[Target::Vertex(5)]).unwrap()[0].clone().unwrap();
+        check_way("pass", &mesh, &values, &path);
+        (path.source, path.curve.positions(&mesh).unwrap()[path.curve.points.len() - 1])
+    };
+    assert_eq!(end(&[]), (None, [2.0, 0.0, 0.0]));
+    assert_eq!(end(&[Source::vertex(0), Source::vertex(6)]), (Some(0), [0.0; 3]));
+    // A source above the field is none.
+    assert_eq!(end(&[Source::vertex(0).with_offset(3.0)]), (None, [2.0, 0.0, 0.0]));
+}
+
 #[test]
 fn real_meshes_however_bad() {
     let Some(folder) = corpus() else { return };
@@ -355,12 +382,16 @@ fn real_meshes_however_bad() {
     ] {
         let mesh = Mesh::read(folder.join(name)).unwrap();
         let sources = [Source::vertex(mesh.triangles()[mesh.triangle_count() / 2][0])];
-        let fields = [exact(&mesh, &sources), mesh.positions().iter().map(|[x, y, z]| x + 0.3 * y * z).collect()];
         let targets = vertices(&mesh, 1 + mesh.vertex_count() / 500);
-        for (values, sources) in fields.iter().flat_map(|values| [(values, &sources[..]), (values, &[])]) {
-            for path in descent_paths(&mesh, values, sources, &targets).unwrap().iter().flatten() {
-                check(name, &mesh, values, path);
-            }
+        let distances = exact(&mesh, &sources);
+        for (target, path) in targets.iter().zip(descent_paths(&mesh, &distances, &sources, &targets).unwrap()) {
+            let Some(path) = path else { continue };
+            check_way(name, &mesh, &distances, &path);
+            assert_eq!(path.source, Some(0), "{name}: {target:?}");
+        }
+        let heights: Vec<f64> = mesh.positions().iter().map(|[x, y, z]| x + 0.3 * y * z).collect();
+        for path in descent_paths(&mesh, &heights, &[], &targets).unwrap().iter().flatten() {
+            check(name, &mesh, &heights, path);
         }
     }
 }

@@ -2,24 +2,24 @@
 //!
 //! The vertices are visited from the lowest one up. From each a path of steepest descent is followed to a vertex, or to an
 //! edge whose ends are lower than where it began and have the same label: mostly one piece or two, more along the border
-//! of two basins. Where the field has a minimum that is no seed its basin fills up and flows over: its vertices take the
-//! label of the lowest neighbour with one.
+//! of two basins. Minima that are no seeds are [drained](super::drain) first.
 //!
 //! O(V log V) time.
 
 use super::descent::Field;
+use super::drain::drained;
 use super::point::Place;
 use crate::mesh::Mesh;
-use crate::mesh::topology::{next, prev, start};
 use crate::metric::Scale;
-use std::cmp::Reverse;
-use std::collections::{BinaryHeap, HashSet};
+use std::collections::HashSet;
 
 /// The label of the seed to which steepest descent leads from each vertex; None where the value is not finite, and where
 /// no seed can be reached. A seed is a vertex and its label; of several at one vertex the first counts.
 #[cfg_attr(not(test), expect(dead_code, reason = "nearest sources by heat will be the first use"))]
 pub(crate) fn basins(mesh: &Mesh, values: &[f64], seeds: &[(u32, u32)]) -> Vec<Option<u32>> {
     let positions = Scale::of(mesh).unit_positions(mesh);
+    let outlets: Vec<u32> = seeds.iter().map(|&(v, _)| v).collect();
+    let values = &drained(mesh, values, &outlets)[..];
     let field = Field { mesh, values, positions: &positions };
     let mut labels = vec![None; mesh.vertex_count()];
     for &(v, label) in seeds {
@@ -32,7 +32,6 @@ pub(crate) fn basins(mesh: &Mesh, values: &[f64], seeds: &[(u32, u32)]) -> Vec<O
             labels[v as usize] = downstream(&field, v, &labels);
         }
     }
-    flow_over(mesh, &upwards, &mut labels);
     labels
 }
 
@@ -59,29 +58,6 @@ fn downstream(field: &Field, v: u32, labels: &[Option<u32>]) -> Option<u32> {
         nearer = near;
     }
     labels[nearer as usize]
-}
-
-/// Labels flow from the lowest vertices first to their neighbours without one.
-fn flow_over(mesh: &Mesh, upwards: &[u32], labels: &mut [Option<u32>]) {
-    let mut rank = vec![None; labels.len()];
-    for (i, &v) in upwards.iter().enumerate() {
-        rank[v as usize] = Some(i);
-    }
-    if upwards.iter().all(|&v| labels[v as usize].is_some()) {
-        return;
-    }
-    let mut lowest: BinaryHeap<Reverse<usize>> =
-        (0..upwards.len()).filter(|&i| labels[upwards[i] as usize].is_some()).map(Reverse).collect();
-    while let Some(Reverse(i)) = lowest.pop() {
-        let v = upwards[i];
-        for h in mesh.topology().corners.row(v).iter().flat_map(|&h| [next(h), prev(h)]) {
-            let neighbour = start(mesh.triangles(), h) as usize;
-            if let (None, Some(i)) = (labels[neighbour], rank[neighbour]) {
-                labels[neighbour] = labels[v as usize];
-                lowest.push(Reverse(i));
-            }
-        }
-    }
 }
 
 #[cfg(test)]

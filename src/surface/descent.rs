@@ -19,14 +19,18 @@
 //! - The least value of a linear field is at a vertex, but the source of distances may lie anywhere. Where sources are
 //!   known, a path that comes to a triangle with one goes straight to it, if its start distance is below the field, and the
 //!   field falls towards it half as steeply at least as it falls at all: else the source is another path's.
+//! - Distances have minima that are no sources, where triangles are obtuse. Where sources are known these are
+//!   [drained](super::drain) first, and paths lead on over their lowest passes.
 //!
-//! O(1) time for each triangle that a path crosses, O(V) for all paths together; memory O(V + output).
+//! O(1) time for each triangle that a path crosses, and for all paths together O(V), or O(V log V) where minima are
+//! drained; memory O(V + output).
 //!
 //! References: the gradient of a linear field as in K. Crane, C. Weischedel, M. Wardetzky: Geodesics in Heat. ACM
 //! Transactions on Graphics, 2013, section 3.2.1.
 
 use super::closest::side_weights;
 use super::curve::{Curve, Segment};
+use super::drain::drained;
 use super::point::{Place, SurfacePoint};
 use super::source::{Origin, Source};
 use super::target::Target;
@@ -41,23 +45,24 @@ use std::collections::{HashMap, HashSet};
 pub struct DescentPath {
     /// From the target down; a single point where nothing is lower.
     pub curve: Curve,
-    /// The source where it ends, by its number in the list of sources; None where it ends at another vertex without a lower
-    /// neighbour.
+    /// The source where it ends, by its number in the list of sources; None where it ends at another vertex, which has no
+    /// lower neighbour.
     pub source: Option<u32>,
 }
 
 /// The paths along which a field falls steepest, one from each target.
 ///
-/// `values` has one number for each vertex of the mesh, in any unit; the field is linear in each triangle. If it holds
-/// distances, of whatever origin, the paths go back to their `sources` and come near to the shortest ones. For any other
-/// field, and for sources that are vertices, the list of sources may be empty: a path then ends at a vertex without a lower
-/// neighbour.
+/// `values` has one number for each vertex of the mesh, in any unit; the field is linear in each triangle, and never rises
+/// along a path. Without `sources` a path ends at a vertex that has no lower neighbour.
 ///
-/// A path with a source ends at it, also inside a triangle or on a curve. It ends elsewhere where the field has a minimum
-/// that is no source, as distances may have at obtuse triangles. Values never rise along a path. It is None for a target
-/// where the field is not finite, such as one that no source reaches, and for a vertex of no triangle.
+/// If the values are distances, of whatever origin, the paths lead back to the `sources` and come near to the shortest ones.
+/// They end at a source, also inside a triangle or on a curve. Where the distances have a minimum that is no source, as
+/// where triangles are obtuse, the path goes on over the lowest pass.
 ///
-/// O(V) time for all paths together, and O(1) for each triangle that they cross.
+/// A path is None for a target where the field is not finite, such as one that no source reaches, and for a vertex of no
+/// triangle.
+///
+/// O(V) time for all paths together, O(V log V) where they leave such minima, and O(1) for each triangle that they cross.
 ///
 /// ```
 /// # fn main() -> taut::Result<()> {
@@ -87,6 +92,9 @@ pub fn descent_paths(
     super::check_values(mesh, values)?;
     let positions = Scale::of(mesh).unit_positions(mesh);
     let descent = Descent { field: Field { mesh, values, positions: &positions }, goals: goals(mesh, sources)? };
+    let outlets = descent.outlets();
+    let drained = if outlets.is_empty() { values.into() } else { drained(mesh, values, &outlets) };
+    let descent = Descent { field: Field { values: &drained, ..descent.field }, ..descent };
     let path = |(i, target): (u64, &Target)| {
         let place = target.checked(mesh).map_err(|error: Error| error.about(Element::Target(i)))?;
         descent.path(place)
@@ -267,6 +275,17 @@ impl Descent<'_> {
             pieces.push(piece);
         }
         Ok(Some(DescentPath { curve: self.curve(first, &pieces)?, source }))
+    }
+
+    /// The vertices from which a way goes straight to a source.
+    fn outlets(&self) -> Vec<u32> {
+        let corners = |goal: &Goal| {
+            let face = goal.segment.face;
+            let point = |v| SurfacePoint::corner(self.field.mesh, face, v);
+            let corners = self.field.mesh.triangles()[face as usize].into_iter();
+            corners.filter(|&v| point(v).and_then(|from| self.to_goal(from, goal)).is_some()).collect::<Vec<_>>()
+        };
+        self.goals.values().flatten().flat_map(corners).collect()
     }
 
     /// The steepest way from a point straight to a source in one of its triangles, and which source that is.

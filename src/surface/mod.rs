@@ -4,6 +4,7 @@ pub(crate) mod basin;
 pub(crate) mod closest;
 pub(crate) mod curve;
 pub(crate) mod descent;
+mod drain;
 pub(crate) mod isoline;
 pub(crate) mod point;
 pub(crate) mod source;
