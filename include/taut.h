@@ -1275,10 +1275,10 @@ taut_status taut_isolines_new(const taut_mesh *mesh,
  * Draws the paths along which a field falls steepest, one from each of some places: down distances, of whatever origin,
  * they lead back to the sources, and come near to the shortest paths.
  *
- * The field is linear in each triangle; its values never rise along a path. A path begins at its target and ends at a
- * source or, where it comes to no source, at a vertex that has no lower neighbour, which may be the target itself: distances
- * have such minima beside their sources where triangles are bad. Sources need be told only where they are no vertices. No
- * two points that follow each other are at one position.
+ * The field is linear in each triangle, and never rises along a path. Without sources a path ends at a vertex that has no
+ * lower neighbour, which may be the target itself. With sources it ends at one of them, also inside a triangle or on a
+ * curve; where distances have a minimum that is no source, as where triangles are obtuse, it goes on over the lowest pass.
+ * No two points that follow each other are at one position.
  *
  * - `mesh`: not NULL; it may be freed afterwards.
  * - `values`: rows of one real number, as many as there are vertices, in any unit; not finite where there is no value.
@@ -1289,8 +1289,8 @@ taut_status taut_isolines_new(const taut_mesh *mesh,
  *
  * Errors: TAUT_REASON_BAD_ARGUMENT where there are more or fewer values than vertices; it and
  * TAUT_REASON_VERTEX_OUT_OF_RANGE name the source or target that the mesh does not have; TAUT_REASON_TOO_MANY_ELEMENTS
- * where the points exceed 32-bit indices. Cost: O(V) for all paths together, and linear in the triangles that they cross.
- * Threads: any. Cannot be cancelled.
+ * where the points exceed 32-bit indices. Cost: O(V log V) for all paths together, and linear in the triangles that they
+ * cross. Threads: any. Cannot be cancelled.
  */
 taut_status taut_descent_paths_new(const taut_mesh *mesh,
                                    taut_input values,

@@ -252,29 +252,27 @@ impl Descent<'_> {
         let Some(&first) = place.in_triangles(field.mesh).first().filter(|point| field.value(point).is_finite()) else {
             return Ok(None);
         };
-        let mut pieces = Vec::new();
-        let mut source = None;
-        let mut crossed = HashSet::new();
-        let mut at = first;
+        let (mut at, mut source) = (first, None);
+        let (mut pieces, mut crossed) = (Vec::new(), HashSet::new());
         while source.is_none() {
-            let steepest = field.steepest(&at, &crossed);
-            let (piece, goal) = match self.towards_source(&at) {
-                Some((piece, goal)) if steepest.is_none_or(|most| piece.slope >= TOWARDS_SOURCE * most.slope) => {
-                    (piece, Some(goal))
-                }
-                _ => match steepest {
-                    Some(piece) => (piece, None),
-                    None => break,
-                },
-            };
-            if matches!(piece.to.as_place(field.mesh), Place::Face(_)) {
-                crossed.insert(piece.to.face);
+            let Some((piece, end)) = self.next(&at, &crossed) else { break };
+            (at, source) = (piece.to, end);
+            if matches!(at.as_place(field.mesh), Place::Face(_)) {
+                crossed.insert(at.face);
             }
-            at = piece.to;
-            source = goal;
             pieces.push(piece);
         }
         Ok(Some(DescentPath { curve: self.curve(first, &pieces)?, source }))
+    }
+
+    /// The next piece of a path, and the source where it ends, if it does.
+    fn next(&self, at: &SurfacePoint, crossed: &HashSet<u32>) -> Option<(Piece, Option<u32>)> {
+        let steepest = self.field.steepest(at, crossed);
+        let least = steepest.map_or(0.0, |piece| TOWARDS_SOURCE * piece.slope);
+        match self.towards_source(at).filter(|(piece, _)| piece.slope >= least) {
+            Some((piece, source)) => Some((piece, Some(source))),
+            None => steepest.map(|piece| (piece, None)),
+        }
     }
 
     /// The vertices from which a way goes straight to a source.

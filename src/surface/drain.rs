@@ -29,7 +29,8 @@ pub(super) fn drained<'a>(mesh: &Mesh, values: &'a [f64], outlets: &[u32]) -> Co
     }
     let mut drained = values.to_vec();
     for (v, from) in flood(mesh, values, outlets) {
-        drained[v as usize] = drained[v as usize].max(drained[from as usize].next_up());
+        let above = drained[from as usize].next_up().min(f64::MAX);
+        drained[v as usize] = drained[v as usize].max(above);
     }
     Cow::Owned(drained)
 }
