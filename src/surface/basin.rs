@@ -46,7 +46,6 @@ fn downstream(field: &Field, v: u32, labels: &[Option<u32>]) -> Option<u32> {
     let mut nearer = v;
     for _ in 0..FARTHEST {
         at = field.steepest(&at, &crossed)?.to;
-        crossed.insert(at.face);
         let mut ends = [0, 1, 2].map(|k| (at.barycentric[k], field.mesh.triangles()[at.face as usize][k]));
         ends.sort_by(|(a, _), (b, _)| b.total_cmp(a));
         let [(_, near), (share, far), _] = ends; // the third corner is opposite the edge
@@ -55,6 +54,7 @@ fn downstream(field: &Field, v: u32, labels: &[Option<u32>]) -> Option<u32> {
         if share == 0.0 || agree {
             return labels[near as usize];
         }
+        crossed.insert(at.face);
         nearer = near;
     }
     labels[nearer as usize]

@@ -36,6 +36,7 @@ use super::source::{Origin, Source};
 use super::target::Target;
 use crate::error::{Element, Error, Result};
 use crate::mesh::Mesh;
+use crate::mesh::topology::start;
 use crate::metric::{Scale, distance, dot, minus};
 use std::cmp::Ordering;
 use std::collections::{HashMap, HashSet};
@@ -147,10 +148,11 @@ impl Field<'_> {
     fn lower_corners(&self, from: SurfacePoint) -> impl Iterator<Item = SurfacePoint> {
         let height = self.value(&from);
         let is_vertex = matches!(from.as_place(self.mesh), Place::Vertex(_));
-        let is_lower = move |u: f64| u.is_finite() && (u < height || (u == height && !is_vertex));
-        let corners =
-            self.mesh.triangles()[from.face as usize].into_iter().filter(move |&v| is_lower(self.values[v as usize]));
-        corners.filter_map(move |v| SurfacePoint::corner(self.mesh, from.face, v))
+        let is_lower = move |&h: &u32| {
+            let u = self.values[start(self.mesh.triangles(), h) as usize];
+            u.is_finite() && (u < height || (u == height && !is_vertex))
+        };
+        (3 * from.face..3 * from.face + 3).filter(is_lower).map(SurfacePoint::at_start)
     }
 
     /// Where the line of steepest descent through a point leaves its triangle; None where it leaves it at once, where it
@@ -278,10 +280,9 @@ impl Descent<'_> {
     /// The vertices from which a way goes straight to a source.
     fn outlets(&self) -> Vec<u32> {
         let corners = |goal: &Goal| {
-            let face = goal.segment.face;
-            let point = |v| SurfacePoint::corner(self.field.mesh, face, v);
-            let corners = self.field.mesh.triangles()[face as usize].into_iter();
-            corners.filter(|&v| point(v).and_then(|from| self.to_goal(from, goal)).is_some()).collect::<Vec<_>>()
+            let corners = 3 * goal.segment.face..3 * goal.segment.face + 3;
+            let reaching = corners.filter(|&h| self.to_goal(SurfacePoint::at_start(h), goal).is_some());
+            reaching.map(|h| start(self.field.mesh.triangles(), h)).collect::<Vec<_>>()
         };
         self.goals.values().flatten().flat_map(corners).collect()
     }

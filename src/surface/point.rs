@@ -74,7 +74,7 @@ impl Place {
         match self {
             Place::Vertex(v) => {
                 let corners = mesh.topology().corners.row(*v);
-                corners.iter().filter_map(|&h| SurfacePoint::corner(mesh, h / 3, *v)).collect()
+                corners.iter().map(|&h| SurfacePoint::at_start(h)).collect()
             }
             Place::Face(point) => {
                 let on_edge = (0..3).find(|&k| point.barycentric[k as usize] == 0.0);
@@ -120,9 +120,14 @@ impl SurfacePoint {
     pub(crate) fn corner(mesh: &Mesh, face: u32, v: u32) -> Option<SurfacePoint> {
         let triangle = &mesh.triangles()[face as usize];
         let k = triangle.iter().position(|&corner| corner == v).filter(|_| !repeats_index(triangle))?;
+        Some(SurfacePoint::at_start(3 * face + k as u32)) // fits: k < 3
+    }
+
+    /// The corner where half-edge h starts.
+    pub(super) fn at_start(h: u32) -> SurfacePoint {
         let mut barycentric = [0.0; 3];
-        barycentric[k] = 1.0;
-        Some(SurfacePoint { face, barycentric })
+        barycentric[(h % 3) as usize] = 1.0;
+        SurfacePoint { face: h / 3, barycentric }
     }
 
     /// A checked point in each of the triangles that it lies in: in its own, in all on its edge, in all at its vertex.
