@@ -148,6 +148,9 @@ static void null_is_an_error(void) {
     curves = (taut_curves *)&failures;
     CHECK_FAILS(taut_isolines_new(NULL, values, values, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(curves == NULL);
+    curves = (taut_curves *)&failures;
+    CHECK_FAILS(taut_descent_paths_new(NULL, values, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(curves == NULL);
     CHECK_FAILS(taut_curves_offsets(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_curves_positions(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_curves_faces(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -169,6 +172,10 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_isolines_new(mesh, values, (taut_input){.count = 1}, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(strstr(taut_last_error(NULL), "levels") != NULL);
     CHECK_FAILS(taut_isolines_new(mesh, values, values, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_descent_paths_new(mesh, (taut_input){.count = 5}, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0,
+                0);
+    CHECK(strstr(taut_last_error(NULL), "values") != NULL);
+    CHECK_FAILS(taut_descent_paths_new(mesh, values, NULL, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_closest_new(mesh, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     taut_mesh_free(mesh);
 
@@ -1407,6 +1414,50 @@ static void paths(void) {
     taut_exact_field_free(field);
 }
 
+static void paths_of_descent(void) {
+    taut_mesh *mesh = rectangle();
+    /* Along the upper side; from where nothing is lower; from a vertex of no triangle; along the lower side. */
+    const uint32_t targets[] = {2, 0, 4, 1}, beyond[] = {0, 5};
+    taut_curves *curves = NULL;
+    CHECK(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(targets, 4)), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_count(curves) == 4 && taut_curves_point_count(curves) == 5);
+    drawing it = drawn(curves);
+    CHECK(it.offsets[0] == 0 && it.offsets[1] == 2 && it.offsets[2] == 3 && it.offsets[3] == 3 && it.offsets[4] == 5);
+    for (uint32_t i = 0; i < 4; i++) CHECK(it.closed[i] == 0 && it.levels[i] == i);
+    CHECK(is_at(it.positions, 3, 4) && is_at(it.positions + 3, 0, 4) && it.faces[0] == 1 && it.faces[1] == 1);
+    CHECK(is_at(it.positions + 6, 0, 0) && is_at(it.positions + 9, 3, 0) && is_at(it.positions + 12, 0, 0));
+
+    /* All vertices; four of them have paths. */
+    CHECK(taut_descent_paths_new(mesh, values, NULL, NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_count(curves) == 5 && taut_curves_point_count(curves) == 6);
+    taut_curves_free(curves);
+
+    /* Down the distances from the middle of the lower triangle, which is no vertex: straight on where it is known. */
+    const double middle[] = {0.5, 0.25, 0.25};
+    const double from_middle[] = {1.25, 2.462214450449026, 3.75, 3.092329219213245, INFINITY};
+    const taut_input distances = {.data = from_middle, .count = 5};
+    const taut_sources source = {
+        .struct_size = sizeof source, .faces = indices(&zero, 1), .barycentrics = scalars(middle, 1)};
+    CHECK(taut_descent_paths_new(mesh, distances, &source, VERTICES(indices(targets, 1)), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_point_count(curves) == 3);
+    it = drawn(curves);
+    CHECK(is_at(it.positions, 3, 4) && is_at(it.positions + 6, 0.75, 1) && it.faces[2] == 0);
+    CHECK(taut_descent_paths_new(mesh, distances, NULL, VERTICES(indices(targets, 1)), &curves) == TAUT_STATUS_OK);
+    it = drawn(curves);
+    CHECK(it.offsets[1] > 1 && is_at(it.positions + 3 * (it.offsets[1] - 1), 0, 0));
+
+    curves = (taut_curves *)&failures; /* must be overwritten */
+    const taut_input four = {.data = along_x, .count = 4};
+    CHECK_FAILS(taut_descent_paths_new(mesh, four, NULL, NULL, &curves), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(curves == NULL);
+    CHECK_FAILS(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(beyond, 2)), &curves),
+                TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_ELEMENT_TARGET, 1);
+    const taut_sources outside = {.struct_size = sizeof outside, .vertices = indices(beyond, 2)};
+    CHECK_FAILS(taut_descent_paths_new(mesh, values, &outside, NULL, &curves), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+                TAUT_ELEMENT_SOURCE, 1);
+    taut_mesh_free(mesh);
+}
+
 /* Every vertex in one call; and ends before one of them when a callback says so. */
 static void all_paths(void) {
     taut_exact_field *field = field_with(&from_zero, NULL);
@@ -1766,6 +1817,7 @@ int main(void) {
     nearest_sources();
     points_of_a_field();
     paths();
+    paths_of_descent();
     all_paths();
     from_click_to_click();
     distance_rows();

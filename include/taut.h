@@ -230,8 +230,8 @@ typedef struct taut_closest taut_closest;
 typedef struct taut_control taut_control;
 
 /**
- * Polylines on the surface of a mesh: isolines or shortest paths. Their points stand one after another, those of the
- * first curve first.
+ * Polylines on the surface of a mesh: isolines, shortest paths, or paths of steepest descent. Their points stand one after
+ * another, those of the first curve first.
  *
  * The segment from a point to the next one lies in the triangle that the point names. A closed curve has one more, from
  * its last point to its first, which is not repeated; the last point of an open one names the last segment's triangle.
@@ -1272,6 +1272,33 @@ taut_status taut_isolines_new(const taut_mesh *mesh,
                               taut_input values,
                               taut_input levels,
                               taut_curves **out);
+
+/**
+ * Draws the paths along which a field falls steepest, one from each of some places: down distances, of whatever origin,
+ * they lead back to the sources, and come near to the shortest paths.
+ *
+ * The field is linear in each triangle, and never rises along a path. Without sources a path ends at a vertex that has no
+ * lower neighbour, which may be the target itself. With sources it ends at one of them, also inside a triangle or on a
+ * curve; where distances have a minimum that is no source, as where triangles are obtuse, it goes on over the lowest pass.
+ * No two points that follow each other are at one position.
+ *
+ * - `mesh`: not NULL; it may be freed afterwards.
+ * - `values`: rows of one real number, as many as there are vertices, in any unit; not finite where there is no value.
+ * - `sources`: what the values are the distances from; NULL, or none, for a field that is no distance.
+ * - `targets`: where the paths begin; NULL means every vertex.
+ * - `out`: receives one curve for each target, in their order, to be freed with `taut_curves_free`; NULL on failure. A
+ *   curve has no points where the field is not finite, and for a vertex that no triangle uses.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT where there are more or fewer values than vertices; it and
+ * TAUT_REASON_VERTEX_OUT_OF_RANGE name the source or target that the mesh does not have; TAUT_REASON_TOO_MANY_ELEMENTS
+ * where the points exceed 32-bit indices. Cost: O(V log V) for all paths together, and linear in the triangles that they
+ * cross. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_descent_paths_new(const taut_mesh *mesh,
+                                   taut_input values,
+                                   const taut_sources *sources,
+                                   const taut_targets *targets,
+                                   taut_curves **out);
 
 /**
  * Tells how many curves there are.

@@ -4,7 +4,8 @@
 //!   milliseconds, within a percent or two on good meshes.
 //! - [`ExactSolver`]: shortest paths over the polyhedral surface, exact up to rounding.
 //!
-//! [`isolines`] draws the lines of equal value of such a field, or of any other.
+//! [`isolines`] draws the lines of equal value of such a field, or of any other; [`descent_paths`] follows it down, back to
+//! the sources.
 //!
 //! A [`Mesh`] is any soup of triangles, from buffers of any type and stride or from a file; it is checked once. Indices
 //! count from 0 and are those of the input; distances are in the mesh's units; a vertex that no source reaches has +inf.
@@ -58,6 +59,7 @@ pub use mesh::shapes;
 pub use report::{Angle, BoundaryLoop, Component, MeshReport, Properties};
 pub use surface::closest::{Closest, ClosestPoint};
 pub use surface::curve::Curve;
+pub use surface::descent::{DescentPath, descent_paths};
 pub use surface::isoline::{Isoline, MAX_LEVELS, even_levels, isolines, spaced_levels};
 pub use surface::point::SurfacePoint;
 pub use surface::source::Source;

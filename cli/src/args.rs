@@ -202,22 +202,27 @@ impl FieldArgs {
     /// Refuses what clap cannot see by itself.
     pub(crate) fn check(&self) -> Result<(), clap::Error> {
         self.sources.check()?;
-        self.exact.check()?;
-        let error = |kind, message: &str| Err(Cli::command().error(kind, message));
-        if let (Method::Exact, Some(option)) = (self.method, self.heat.first_given()) {
-            let message = format!("{option} belongs to the heat method and means nothing with --method exact");
-            return error(ErrorKind::ArgumentConflict, &message);
-        }
-        if let (Method::Heat, Some(option)) = (self.method, self.exact.first_given()) {
-            let message = format!("{option} belongs to the exact method and means nothing without --method exact");
-            return error(ErrorKind::ArgumentConflict, &message);
-        }
-        if let (Some(TimeStepArg::Value(_)), Some(_)) = (self.heat.time_step, self.heat.time_factor) {
-            let message = "--time-factor multiplies a formula's t; --time-step gives t as a number";
-            return error(ErrorKind::ArgumentConflict, message);
-        }
-        Ok(())
+        check_method(self.method, &self.heat, &self.exact)
     }
+}
+
+/// Refuses options of the method that is not used, and what clap cannot see by itself.
+pub(crate) fn check_method(method: Method, heat: &HeatArgs, exact: &ExactArgs) -> Result<(), clap::Error> {
+    exact.check()?;
+    let error = |kind, message: &str| Err(Cli::command().error(kind, message));
+    if let (Method::Exact, Some(option)) = (method, heat.first_given()) {
+        let message = format!("{option} belongs to the heat method and means nothing with --method exact");
+        return error(ErrorKind::ArgumentConflict, &message);
+    }
+    if let (Method::Heat, Some(option)) = (method, exact.first_given()) {
+        let message = format!("{option} belongs to the exact method and means nothing without --method exact");
+        return error(ErrorKind::ArgumentConflict, &message);
+    }
+    if let (Some(TimeStepArg::Value(_)), Some(_)) = (heat.time_step, heat.time_factor) {
+        let message = "--time-factor multiplies a formula's t; --time-step gives t as a number";
+        return error(ErrorKind::ArgumentConflict, message);
+    }
+    Ok(())
 }
 
 impl SourceArgs {

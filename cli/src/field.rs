@@ -1,6 +1,6 @@
 //! The distances that the options ask for.
 
-use crate::args::{ExactArgs, FieldArgs, Method};
+use crate::args::{ExactArgs, FieldArgs, HeatArgs, Method};
 use crate::measured::{Seconds, measured};
 use taut::{ExactField, ExactOptions, ExactSolver, HeatField, HeatSolver, Mesh, Source, Target};
 
@@ -24,14 +24,15 @@ impl Field {
         targets: Vec<Target>,
     ) -> taut::Result<Field> {
         match args.method {
-            Method::Heat => heat(args, mesh, sources),
+            Method::Heat => heat_field(&args.heat, mesh, sources),
             Method::Exact => exact(args, mesh, sources, targets),
         }
     }
 }
 
-fn heat(args: &FieldArgs, mesh: &Mesh, sources: &[Source]) -> taut::Result<Field> {
-    let options = args.heat.options();
+/// The distances by heat.
+pub(crate) fn heat_field(args: &HeatArgs, mesh: &Mesh, sources: &[Source]) -> taut::Result<Field> {
+    let options = args.options();
     let (solver, setup) = measured("setup", |control| HeatSolver::new(mesh, &options, control));
     let solver = solver?;
     let (distances, solve) = measured("solve", |control| solver.field(sources, control).map(HeatField::into_distances));

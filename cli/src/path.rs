@@ -1,18 +1,19 @@
-//! `taut path`: shortest paths over the surface, from targets back to their nearest sources.
+//! `taut path`: shortest paths over the surface, from targets back to their nearest sources, and paths down any field.
 
-use crate::Result;
-use crate::args::{ExactArgs, SourceArgs, position};
+use crate::args::{ExactArgs, HeatArgs, Method, SourceArgs, check_method, position};
 use crate::drawing::{Group, LinesOut, Polyline};
-use crate::field::exact_field;
+use crate::field::{exact_field, heat_field};
 use crate::input::{self, Places};
 use crate::measured::{Seconds, measured};
 use crate::output::{self, Timing};
 use crate::picture::{Picture, PictureArgs, Quantity};
-use clap::{ArgGroup, Args};
+use crate::{Cli, Result};
+use clap::error::ErrorKind;
+use clap::{ArgGroup, Args, CommandFactory as _};
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use taut::{Control, Curve, ExactField, ExactOptions, Mesh, SurfacePoint, Target};
+use taut::{Control, Curve, DescentPath, ExactField, ExactOptions, Mesh, Source, SurfacePoint, Target};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,15 +23,21 @@ Examples:
       the path between the places of the surface nearest to two points, as a polyline in space
   taut path bunny.obj --source 0 --source 99 --target 4711 --target 15 --picture paths.png
       the path from each of two targets to the source that is nearer, as a picture
+  taut path bunny.obj --source 0 --target 4711 --method heat
+      the path down the distances by heat, much faster and a little longer
+  taut path bunny.obj --values heights.txt --target 4711
+      the path down a field of your own
 
 Exit code: 0 success, 1 failure, 2 a command line that makes no sense.";
 
 /// Shortest paths on a mesh, from each target back to its nearest source
 ///
-/// Paths are exact: as long as the exact distance. For each target, vertices before points, a
-/// comment tells the path's source and length; then its points follow, from the target to the
-/// source, one `x y z` a line. An empty line separates targets. One that no source reaches has a
-/// comment only. Vertices, sources and targets count from 0, sources vertices before points.
+/// Paths are exact, as long as the exact distance; those by heat follow steepest descent, and so do
+/// those down a field of --values, to where it has a minimum. For each target, vertices before
+/// points, a comment tells the path's source, or `no source` where it ends at another minimum, and
+/// its length; then its points follow, down from the target, one `x y z` a line. An empty line
+/// separates targets. One that no source reaches has a comment only. Vertices, sources and targets
+/// count from 0, sources vertices before points.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, verbatim_doc_comment)]
 #[command(group = ArgGroup::new("targets").required(true).multiple(true).args(["target", "target_at"]))]
@@ -40,6 +47,15 @@ pub(crate) struct PathArgs {
 
     #[command(flatten)]
     sources: SourceArgs,
+
+    /// Follow the field of this file down instead, one number a line for each vertex; inf where
+    /// there is none
+    #[arg(verbatim_doc_comment, long, value_name = "FILE", conflicts_with_all = ["source", "source_at", "sources", "source_curve", "method"])]
+    values: Option<PathBuf>,
+
+    /// How paths are found: by heat they follow steepest descent
+    #[arg(long, value_enum, default_value_t = Method::Exact)]
+    method: Method,
 
     /// Target vertex; may be given several times
     #[arg(long, value_name = "V")]
@@ -54,10 +70,14 @@ pub(crate) struct PathArgs {
     #[arg(verbatim_doc_comment, short, long, value_name = "FILE", value_parser = LinesOut::parser())]
     output: Option<LinesOut>,
 
-    /// Print one JSON object on standard output: for each target its source, distance, length and
-    /// points, each by its triangle, the weights of the corners, and its position
+    /// Print one JSON object on standard output: for each target its source, distance (with --values
+    /// the field's value), length and points, each by its triangle, the weights of the corners, and
+    /// its position
     #[arg(verbatim_doc_comment, long)]
     json: bool,
+
+    #[command(flatten)]
+    heat: HeatArgs,
 
     #[command(flatten)]
     exact: ExactArgs,
@@ -71,20 +91,39 @@ impl PathArgs {
     pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
         let is_drawn = self.output.as_ref().is_some_and(LinesOut::is_drawn);
         self.picture.check_beside(is_drawn)?;
-        self.sources.check()?;
-        self.exact.check()
+        match (&self.values, self.heat.first_given().or(self.exact.first_given())) {
+            (None, _) => {
+                self.sources.check()?;
+                check_method(self.method, &self.heat, &self.exact)
+            }
+            (Some(_), Some(option)) => {
+                let message = format!("{option} is about distances and means nothing with --values");
+                Err(Cli::command().error(ErrorKind::ArgumentConflict, message))
+            }
+            (Some(_), None) => Ok(()),
+        }
     }
 }
 
 /// A path from a target.
 struct Path {
-    /// The number of its source.
-    source: u32,
-    /// Its length and the start distance of its source.
+    /// The number of its source; None where it ends at another minimum.
+    source: Option<u32>,
+    /// The distance of the target, or the field's value there.
     distance: f64,
     curve: Curve,
     /// Where its points lie.
     positions: Vec<[f64; 3]>,
+}
+
+/// A field and the paths down it.
+struct Found {
+    quantity: Quantity,
+    values: Vec<f64>,
+    /// One for each target; `None` where the field is not finite.
+    paths: Vec<Option<Path>>,
+    /// Of set-up, solve and paths.
+    seconds: [Seconds; 3],
 }
 
 impl Path {
@@ -102,29 +141,77 @@ pub(crate) fn run(args: &PathArgs) -> Result<()> {
     let sources = input::sources(&args.sources, &mesh)?;
     input::check_targets(&args.target, &mesh)?;
     let points = input::nearest(&args.target_at, &mesh)?;
-    let keep_windows = !points.is_empty();
     let vertices = args.target.iter().copied().map(Target::Vertex);
     let targets: Vec<Target> = vertices.chain(points.into_iter().map(Target::Point)).collect();
 
-    let wanted = if args.picture.picture.is_none() { targets.clone() } else { Vec::new() };
-    let options = ExactOptions { targets: wanted, keep_windows, ..args.exact.options() };
-    let field = exact_field(&args.exact, &mesh, &sources, &options).map_err(|error| error.to_string());
-    let (field, [setup, solve]) = field?;
-    let (paths, seconds) = measured("paths", |control| paths(&field, &mesh, &targets, control));
-    let paths = paths.map_err(|error| error.to_string())?;
+    let found = match (&args.values, args.method) {
+        (Some(path), _) => {
+            let values = input::numbers(path, "a value", &mesh)?;
+            by_descent(Quantity::Value, values, <[Seconds; 2]>::default(), &mesh, &[], &targets)
+        }
+        (None, Method::Heat) => by_heat(args, &mesh, &sources, &targets),
+        (None, Method::Exact) => by_windows(args, &mesh, &sources, &targets),
+    };
+    let found = found.map_err(|error| error.to_string())?;
 
-    write(args, &mesh, &field, &paths, Places::new(&sources, &mesh)?)?;
+    write(args, &mesh, &found, Places::new(&sources, &mesh)?)?;
     if args.json {
-        let timing = PathTiming { field: Timing { read, setup, solve }, paths: seconds };
-        return output::json(&Report::new(&mesh, &paths, timing));
+        let [setup, solve, paths] = found.seconds;
+        let timing = PathTiming { field: Timing { read, setup, solve }, paths };
+        return output::json(&Report::new(&mesh, &found.paths, timing));
     }
-    if args.output.is_none() { output::print(&text(&paths)) } else { Ok(()) }
+    if args.output.is_none() { output::print(&text(&found.paths)) } else { Ok(()) }
+}
+
+fn by_heat(args: &PathArgs, mesh: &Mesh, sources: &[Source], targets: &[Target]) -> taut::Result<Found> {
+    let field = heat_field(&args.heat, mesh, sources)?;
+    by_descent(Quantity::Distance, field.distances, [field.setup, field.solve], mesh, sources, targets)
+}
+
+/// The paths down a field that comes from these sources and took these seconds.
+fn by_descent(
+    quantity: Quantity,
+    values: Vec<f64>,
+    [setup, solve]: [Seconds; 2],
+    mesh: &Mesh,
+    sources: &[Source],
+    targets: &[Target],
+) -> taut::Result<Found> {
+    let (found, paths) = measured("paths", |_| taut::descent_paths(mesh, &values, sources, targets));
+    let path = |found: Option<DescentPath>| {
+        let Some(DescentPath { curve, source }) = found else { return Ok(None) };
+        let positions = curve.positions(mesh)?;
+        Ok(Some(Path { source, distance: value(&values, &curve.points[0], mesh), curve, positions }))
+    };
+    let found = found?.into_iter().map(path).collect::<taut::Result<_>>()?;
+    Ok(Found { quantity, values, paths: found, seconds: [setup, solve, paths] })
+}
+
+/// The value of a field at a point where it is finite.
+fn value(values: &[f64], point: &SurfacePoint, mesh: &Mesh) -> f64 {
+    let corners = mesh.triangles()[point.face as usize].into_iter().zip(point.barycentric);
+    corners.filter(|&(_, weight)| weight != 0.0).map(|(v, weight)| weight * values[v as usize]).sum()
+}
+
+fn by_windows(args: &PathArgs, mesh: &Mesh, sources: &[Source], targets: &[Target]) -> taut::Result<Found> {
+    let keep_windows = targets.iter().any(|target| matches!(target, Target::Point(_)));
+    let wanted = if args.picture.picture.is_none() { targets.to_vec() } else { Vec::new() };
+    let options = ExactOptions { targets: wanted, keep_windows, ..args.exact.options() };
+    let (field, [setup, solve]) = exact_field(&args.exact, mesh, sources, &options)?;
+    let (found, paths) = measured("paths", |control| exact_paths(&field, mesh, targets, control));
+    let values = field.distances().to_vec();
+    Ok(Found { quantity: Quantity::Distance, values, paths: found?, seconds: [setup, solve, paths] })
 }
 
 /// The path of each target; `None` where no source reaches.
-fn paths(field: &ExactField, mesh: &Mesh, targets: &[Target], control: &Control) -> taut::Result<Vec<Option<Path>>> {
+fn exact_paths(
+    field: &ExactField,
+    mesh: &Mesh,
+    targets: &[Target],
+    control: &Control,
+) -> taut::Result<Vec<Option<Path>>> {
     let path = |(&target, curve): (&Target, Option<Curve>)| {
-        let Some((source, curve)) = field.nearest_source(target)?.zip(curve) else { return Ok(None) };
+        let (source, Some(curve)) = (field.nearest_source(target)?, curve) else { return Ok(None) };
         let positions = curve.positions(mesh)?;
         Ok(Some(Path { source, distance: field.distance(target)?, curve, positions }))
     };
@@ -132,23 +219,17 @@ fn paths(field: &ExactField, mesh: &Mesh, targets: &[Target], control: &Control)
 }
 
 /// Writes the files that are asked for.
-fn write(args: &PathArgs, mesh: &Mesh, field: &ExactField, paths: &[Option<Path>], from: Places) -> Result<()> {
+fn write(args: &PathArgs, mesh: &Mesh, found: &Found, from: Places) -> Result<()> {
     let Places { points: mut ends, mut lines } = from;
-    ends.extend(paths.iter().flatten().map(|path| path.positions[0]));
-    lines.extend(paths.iter().flatten().map(|path| path.positions.clone()));
-    let picture = Picture {
-        mesh,
-        quantity: Quantity::Distance,
-        values: field.distances(),
-        sources: &ends,
-        levels: None,
-        lines: &lines,
-    };
+    ends.extend(found.paths.iter().flatten().map(|path| path.positions[0]));
+    lines.extend(found.paths.iter().flatten().map(|path| path.positions.clone()));
+    let picture =
+        Picture { mesh, quantity: found.quantity, values: &found.values, sources: &ends, levels: None, lines: &lines };
     let group = |(target, path): (usize, &Option<Path>)| {
         let points = path.as_ref()?.positions.clone();
         Some(Group { name: format!("target {target}"), shade: 1.0, lines: vec![Polyline { points, is_closed: false }] })
     };
-    let groups: Vec<Group> = paths.iter().enumerate().filter_map(group).collect();
+    let groups: Vec<Group> = found.paths.iter().enumerate().filter_map(group).collect();
     let file = args.output.as_ref().map(|out| (&*out.path, out.content(&groups, &picture, &args.picture)));
     output::write(&file.into_iter().chain(args.picture.draw(&picture)?).collect::<Vec<_>>())
 }
@@ -162,7 +243,8 @@ fn text(paths: &[Option<Path>]) -> String {
             let _ = writeln!(text, "{gap}# target {target}: no path");
             continue;
         };
-        let _ = writeln!(text, "{gap}# target {target}: source {}, length {}", path.source, path.length());
+        let source = path.source.map_or("no source".to_owned(), |source| format!("source {source}"));
+        let _ = writeln!(text, "{gap}# target {target}: {source}, length {}", path.length());
         for [x, y, z] in &path.positions {
             let _ = writeln!(text, "{x} {y} {z}");
         }
@@ -182,7 +264,8 @@ struct Report {
 
 #[derive(Debug, Serialize)]
 struct PathReport {
-    source: u32,
+    /// null where the path ends at another minimum.
+    source: Option<u32>,
     distance: f64,
     length: f64,
     points: Vec<PointReport>,

@@ -169,6 +169,48 @@ fn paths_are_written_as_lines_and_drawn() {
 }
 
 #[test]
+fn paths_by_heat_descend_to_the_nearer_source() {
+    let desk = Desk::with_grid();
+    let line = "path grid.obj --source 0 --source 440 --target 7 --target 433 --target-at 8.5,3.25,0 --method heat";
+    let paths = printed(&desk.prints(line));
+    let report = desk.json(&format!("{line} --json"));
+    let by_heat = desk.distances("distance grid.obj --source 0 --source 440");
+    for (i, (head, points)) in paths.iter().enumerate() {
+        let source = usize::from(i == 1);
+        assert!(head.starts_with(&format!("# target {i}: source {source}, length ")), "{head}");
+        let [from, to] = [points[0], [20.0 * source as f64, 20.0 * source as f64, 0.0]];
+        assert_eq!(points[points.len() - 1], to);
+        let shortest = euclid(from, to);
+        assert!((shortest..1.05 * shortest).contains(&length(points)), "{head}, shortest {shortest}");
+        let path = &report["paths"][i];
+        assert_eq!(path["source"], source);
+        assert_near(path["length"].as_f64().unwrap(), length(points));
+    }
+    assert_near(report["paths"][0]["distance"].as_f64().unwrap(), by_heat[7]);
+    assert_near(report["paths"][1]["distance"].as_f64().unwrap(), by_heat[433]);
+
+    // The distances of a file lead to the same place, which is then one without a lower neighbour.
+    desk.prints("distance grid.obj --source 0 --source 440 -o distances.txt");
+    let by_values = printed(&desk.prints("path grid.obj --values distances.txt --target 7 --target 433"));
+    for ((head, points), (_, expected)) in by_values.iter().zip(&paths) {
+        assert!(head.contains(": no source, length "), "{head}");
+        assert_eq!(points[points.len() - 1], expected[expected.len() - 1]);
+    }
+    desk.prints("path grid.obj --values distances.txt --target 7 -o paths.obj --picture picture.png");
+    assert!(desk.read("paths.obj").contains("\no target_0\nv 7 0 0\n"));
+    assert!(desk.json("path grid.obj --values distances.txt --target 7 --json")["paths"][0]["source"].is_null());
+}
+
+#[test]
+fn a_field_that_is_not_finite_at_a_target_has_no_path() {
+    let desk = Desk::new();
+    desk.write("square.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+    desk.write("values.txt", "0\n1\n2\ninf\n");
+    let found = desk.prints("path square.off --values values.txt --target 3 --target 1");
+    assert_eq!(found, "# target 0: no path\n\n# target 1: no source, length 1\n1 0 0\n0 0 0\n");
+}
+
+#[test]
 fn what_makes_no_sense_is_refused_and_leaves_no_file() {
     let desk = Desk::with_grid();
     desk.write("sources.txt", "0\n");
@@ -185,7 +227,11 @@ fn what_makes_no_sense_is_refused_and_leaves_no_file() {
         ("grid.obj --source 0 --target 1 -o a.txt", ".svg"),
         ("grid.obj --source 0 --target 1 -o a.obj --view top", "--view"),
         ("grid.obj --source 0 --target 1 -o a.obj --partial", "--time-limit"),
-        ("grid.obj --source 0 --target 1 -o a.obj --method heat", "--method"),
+        ("grid.obj --source 0 --target 1 -o a.obj --boundary 1", "--boundary belongs to the heat method"),
+        ("grid.obj --source 0 --target 1 -o a.obj --method heat --radius 1", "--radius belongs to the exact method"),
+        ("grid.obj --values sources.txt --source 0 --target 1 -o a.obj", "--source"),
+        ("grid.obj --values sources.txt --target 1 -o a.obj --method heat", "--method"),
+        ("grid.obj --values sources.txt --target 1 -o a.obj --radius 1", "--radius is about distances"),
     ] {
         let said = desk.says(2, &format!("path {line}"));
         assert!(said.contains(expected), "{line}: {said}");
@@ -202,6 +248,7 @@ fn what_makes_no_sense_is_refused_and_leaves_no_file() {
         ("grid.obj --sources three.txt --target 0 -o a.obj", "three.txt: line 1: expected a vertex, or a triangle"),
         ("grid.obj --sources weights.txt --target 0 -o a.obj", "source 0: has the weights"),
         ("grid.obj --source 0 --target 440 --time-limit 0 -o a.obj", "time limit"),
+        ("grid.obj --values sources.txt --target 0 -o a.obj", "sources.txt: has 1 numbers"),
         ("grid.obj --source 0 --target 0 -o no/such/a.obj", "no/such/a.obj"),
     ] {
         let said = desk.says(1, &format!("path {line}"));

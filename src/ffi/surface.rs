@@ -1,12 +1,12 @@
-//! `taut_curves`: polylines on the surface, isolines and shortest paths.
+//! `taut_curves`: polylines on the surface, isolines, shortest paths and paths of steepest descent.
 
 use super::guard::{free, guard, guard_new, guard_value, required};
 use super::mesh::taut_mesh;
-use super::types::{taut_input, taut_output};
-use crate::{Curve, Error, Isoline, Mesh, Reason, Result, Status, isolines};
+use super::types::{sources, targets, taut_input, taut_output, taut_sources, taut_targets};
+use crate::{Curve, Error, Isoline, Mesh, Reason, Result, Status, Target, descent_paths, isolines};
 
-/// Polylines on the surface of a mesh: isolines or shortest paths. Their points stand one after another, those of the
-/// first curve first.
+/// Polylines on the surface of a mesh: isolines, shortest paths, or paths of steepest descent. Their points stand one after
+/// another, those of the first curve first.
 ///
 /// The segment from a point to the next one lies in the triangle that the point names. A closed curve has one more, from
 /// its last point to its first, which is not repeated; the last point of an open one names the last segment's triangle.
@@ -76,6 +76,53 @@ pub unsafe extern "C" fn taut_isolines_new(
         let mut curves = taut_curves::new();
         for Isoline { level, curve } in isolines(mesh, &values, &levels)? {
             curves.push(mesh, level, &curve)?;
+        }
+        Ok(curves)
+    };
+    // SAFETY: the header asks for a writable `out`.
+    unsafe { guard_new(out, body) }
+}
+
+/// Draws the paths along which a field falls steepest, one from each of some places: down distances, of whatever origin,
+/// they lead back to the sources, and come near to the shortest paths.
+///
+/// The field is linear in each triangle, and never rises along a path. Without sources a path ends at a vertex that has no
+/// lower neighbour, which may be the target itself. With sources it ends at one of them, also inside a triangle or on a
+/// curve; where distances have a minimum that is no source, as where triangles are obtuse, it goes on over the lowest pass.
+/// No two points that follow each other are at one position.
+///
+/// - `mesh`: not NULL; it may be freed afterwards.
+/// - `values`: rows of one real number, as many as there are vertices, in any unit; not finite where there is no value.
+/// - `sources`: what the values are the distances from; NULL, or none, for a field that is no distance.
+/// - `targets`: where the paths begin; NULL means every vertex.
+/// - `out`: receives one curve for each target, in their order, to be freed with `taut_curves_free`; NULL on failure. A
+///   curve has no points where the field is not finite, and for a vertex that no triangle uses.
+///
+/// Errors: TAUT_REASON_BAD_ARGUMENT where there are more or fewer values than vertices; it and
+/// TAUT_REASON_VERTEX_OUT_OF_RANGE name the source or target that the mesh does not have; TAUT_REASON_TOO_MANY_ELEMENTS
+/// where the points exceed 32-bit indices. Cost: O(V log V) for all paths together, and linear in the triangles that they
+/// cross. Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_descent_paths_new(
+    mesh: Option<&taut_mesh>,
+    values: taut_input,
+    sources: *const taut_sources,
+    targets: *const taut_targets,
+    out: *mut *mut taut_curves,
+) -> Status {
+    let body = || {
+        let mesh = &required(mesh, "mesh")?.0;
+        // SAFETY: the header asks for NULL or structs of the size that they state, and views of readable memory.
+        let (values, sources, targets) = unsafe {
+            let values = values.numbers("values")?;
+            let sources = if sources.is_null() { Vec::new() } else { self::sources(sources)? };
+            (values, sources, self::targets(targets, "targets")?)
+        };
+        let targets = targets.unwrap_or_else(|| (0..).take(mesh.vertex_count()).map(Target::Vertex).collect());
+        let mut curves = taut_curves::new();
+        for (target, path) in (0..).zip(descent_paths(mesh, &values, &sources, &targets)?) {
+            let nothing = Curve { points: Vec::new(), is_closed: false };
+            curves.push(mesh, target, &path.map_or(nothing, |path| path.curve))?;
         }
         Ok(curves)
     };

@@ -230,7 +230,7 @@ fn plane_weights(corners: [[f64; 3]; 3], query: [f64; 3]) -> [f64; 3] {
 }
 
 /// The weights of the ends of a side at its place nearest to `query`; the same in every triangle, whichever end is first.
-fn side_weights([a, b]: [[f64; 3]; 2], query: [f64; 3]) -> [f64; 2] {
+pub(super) fn side_weights([a, b]: [[f64; 3]; 2], query: [f64; 3]) -> [f64; 2] {
     if a > b {
         let [to_b, to_a] = side_weights([b, a], query);
         return [to_a, to_b];

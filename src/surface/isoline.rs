@@ -159,11 +159,8 @@ struct Field<'a> {
 
 impl<'a> Field<'a> {
     fn new(mesh: &'a Mesh, values: &'a [f64]) -> Result<Field<'a>> {
-        let [given, needed] = [values.len(), mesh.vertex_count()];
-        if given == needed {
-            return Ok(Field { mesh, values });
-        }
-        Err(Error::new(Reason::BadArgument, format!("there are {given} values, but the mesh has {needed} vertices")))
+        super::check_values(mesh, values)?;
+        Ok(Field { mesh, values })
     }
 
     fn value(&self, v: u32) -> f64 {

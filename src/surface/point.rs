@@ -39,7 +39,7 @@ impl SurfacePoint {
     }
 
     /// Σ wᵢ xᵢ over the corners with a weight, kept between the least and the greatest of their xᵢ.
-    fn between(&self, x: [f64; 3]) -> f64 {
+    pub(super) fn between(&self, x: [f64; 3]) -> f64 {
         let [mut sum, mut low, mut high] = [0.0, f64::INFINITY, f64::NEG_INFINITY];
         for (&w, &x) in self.barycentric.iter().zip(&x) {
             if w != 0.0 {
@@ -66,6 +66,23 @@ pub(crate) enum Place {
     Vertex(u32),
     /// Inside a triangle or on one of its edges: two of its weights at least are not 0.
     Face(SurfacePoint),
+}
+
+impl Place {
+    /// The place in each of the triangles that it lies in; in none for a vertex of no triangle.
+    pub(crate) fn in_triangles(&self, mesh: &Mesh) -> Vec<SurfacePoint> {
+        match self {
+            Place::Vertex(v) => {
+                let corners = mesh.topology().corners.row(*v);
+                corners.iter().map(|&h| SurfacePoint::at_start(h)).collect()
+            }
+            Place::Face(point) => {
+                let on_edge = (0..3).find(|&k| point.barycentric[k as usize] == 0.0);
+                let beyond = on_edge.map(|k| point.beyond(mesh, next(3 * point.face + k))).into_iter().flatten();
+                [*point].into_iter().chain(beyond).collect()
+            }
+        }
+    }
 }
 
 /// The weights of a point may sum to 1 up to this.
@@ -103,20 +120,19 @@ impl SurfacePoint {
     pub(crate) fn corner(mesh: &Mesh, face: u32, v: u32) -> Option<SurfacePoint> {
         let triangle = &mesh.triangles()[face as usize];
         let k = triangle.iter().position(|&corner| corner == v).filter(|_| !repeats_index(triangle))?;
+        Some(SurfacePoint::at_start(3 * face + k as u32)) // fits: k < 3
+    }
+
+    /// The corner where half-edge h starts.
+    pub(super) fn at_start(h: u32) -> SurfacePoint {
         let mut barycentric = [0.0; 3];
-        barycentric[k] = 1.0;
-        Some(SurfacePoint { face, barycentric })
+        barycentric[(h % 3) as usize] = 1.0;
+        SurfacePoint { face: h / 3, barycentric }
     }
 
     /// A checked point in each of the triangles that it lies in: in its own, in all on its edge, in all at its vertex.
     pub(crate) fn in_triangles(&self, mesh: &Mesh) -> Vec<SurfacePoint> {
-        if let Place::Vertex(v) = self.as_place(mesh) {
-            let corners = mesh.topology().corners.row(v);
-            return corners.iter().filter_map(|&h| SurfacePoint::corner(mesh, h / 3, v)).collect();
-        }
-        let on_edge = (0..3).find(|&k| self.barycentric[k as usize] == 0.0);
-        let beyond = on_edge.map(|k| self.beyond(mesh, next(3 * self.face + k))).into_iter().flatten();
-        [*self].into_iter().chain(beyond).collect()
+        self.as_place(mesh).in_triangles(mesh)
     }
 
     /// A checked point as a point of this triangle, if it lies in it.
