@@ -49,7 +49,10 @@ static std::vector<double> taut_distances(const Peers &peers, taut_laplacian lap
     const taut_sources sources = from_vertices(vertices);
     std::vector<double> distances(peers.vertex_count());
     const taut_output out{distances.data(), distances.size(), 0, TAUT_TYPE_F64};
-    check(taut_heat_distances(heat, &sources, nullptr, out));
+    taut_heat_field *field = nullptr;
+    check(taut_heat_field_new(heat, &sources, nullptr, &field));
+    const Handle<taut_heat_field> field_owner(field, taut_heat_field_free);
+    check(taut_heat_field_distances(field, out));
     return distances;
 }
 

@@ -116,6 +116,8 @@ static void null_is_an_error(void) {
     taut_mesh *mesh = (taut_mesh *)&failures; /* must be overwritten */
     taut_exact *exact = NULL;
     taut_heat *heat = NULL;
+    taut_heat_field *heat_field = (taut_heat_field *)&failures;
+    taut_heat_report heat_report = {.struct_size = sizeof heat_report};
     taut_exact_field *field = NULL;
     taut_curves *curves = (taut_curves *)&failures;
     taut_closest *closest = (taut_closest *)&failures;
@@ -135,7 +137,14 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_exact_field_distances(NULL, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_heat_new(NULL, NULL, NULL, &heat), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_heat_with_time_step(NULL, step, NULL, &heat), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_heat_distances(NULL, &from_zero, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_with_mesh(NULL, NULL, NULL, &heat), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_field_new(NULL, &from_zero, NULL, &heat_field), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK(heat_field == NULL);
+    CHECK_FAILS(taut_heat_field_distances(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_field_nearest_sources(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_distance_rows(NULL, &from_zero, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_report_of(NULL, &heat_report), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_mesh_with_positions(NULL, positions, &mesh), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_time_step_value(NULL, step, &t), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_control_new(NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_control_set_time_limit(NULL, 1), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -190,6 +199,8 @@ static void null_is_an_error(void) {
     taut_exact_free(NULL);
     taut_exact_field_free(NULL);
     taut_heat_free(NULL);
+    taut_heat_field_free(NULL);
+    CHECK(taut_heat_field_restarts(NULL) == 0 && taut_heat_field_nonpositive_heat(NULL) == 0);
     taut_curves_free(NULL);
     taut_closest_free(NULL);
 }
@@ -481,8 +492,11 @@ static void cancelled_before_the_start(void) {
     CHECK(taut_heat_new(mesh, NULL, control, &again) == TAUT_STATUS_CANCELLED && again == NULL);
     CHECK(taut_heat_with_time_step(heat, (taut_time_step){.value = 1}, control, &again) == TAUT_STATUS_CANCELLED);
     CHECK(again == NULL);
-    const taut_output out = {.data = d, .count = 5};
-    CHECK(taut_heat_distances(heat, &from_zero, control, out) == TAUT_STATUS_CANCELLED);
+    taut_heat_field *heat_field = (taut_heat_field *)&failures;
+    CHECK(taut_heat_field_new(heat, &from_zero, control, &heat_field) == TAUT_STATUS_CANCELLED && heat_field == NULL);
+    const taut_output out = {.data = d, .count = 1, .stride = sizeof d};
+    CHECK(taut_heat_distance_rows(heat, &from_zero, 1, control, out) == TAUT_STATUS_CANCELLED);
+    CHECK(taut_heat_with_mesh(heat, mesh, control, &again) == TAUT_STATUS_CANCELLED && again == NULL);
     for (size_t v = 0; v < 5; v++) CHECK(d[v] == -1);
     taut_control_free(control);
     taut_heat_free(heat);
@@ -714,10 +728,20 @@ static void long_calls(void) {
     taut_mesh_free(mesh);
 }
 
+/* The distances of a field that is forgotten at once. */
+static taut_status heat_distances(const taut_heat *heat, const taut_sources *from, double *d) {
+    taut_heat_field *field = NULL;
+    taut_status status = taut_heat_field_new(heat, from, NULL, &field);
+    if (!status) status = taut_heat_field_distances(field, (taut_output){.data = d, .count = 5});
+    CHECK((status == TAUT_STATUS_OK) == (field != NULL));
+    taut_heat_field_free(field);
+    return status;
+}
+
 static taut_status heat_with(const taut_mesh *mesh, const taut_heat_options *options, double *d) {
     taut_heat *heat = NULL;
     taut_status status = taut_heat_new(mesh, options, NULL, &heat);
-    if (!status) status = taut_heat_distances(heat, &from_zero, NULL, (taut_output){.data = d, .count = 5});
+    if (!status) status = heat_distances(heat, &from_zero, d);
     CHECK(status != TAUT_STATUS_OK || taut_heat_time_step(heat) > 0);
     taut_heat_free(heat);
     return status;
@@ -784,9 +808,61 @@ static void time_steps(void) {
     CHECK(heat_with(mesh, &options, fresh) == TAUT_STATUS_OK);
     taut_mesh_free(mesh);
     taut_heat_free(heat);
-    CHECK(taut_heat_distances(again, &from_zero, NULL, (taut_output){.data = d, .count = 5}) == TAUT_STATUS_OK);
+    CHECK(heat_distances(again, &from_zero, d) == TAUT_STATUS_OK);
     CHECK(memcmp(d, fresh, sizeof d) == 0);
     taut_heat_free(again);
+}
+
+/* Nearest sources, rows, the report, and a mesh that moves. */
+static void heat_fields(void) {
+    taut_mesh *mesh = rectangle(), *moved = NULL, *broken = (taut_mesh *)&failures;
+    taut_heat *heat = NULL, *again = (taut_heat *)&failures;
+    taut_heat_field *field = NULL;
+    const uint32_t ends[] = {0, 2};
+    const taut_sources from = {.struct_size = sizeof from, .vertices = {.data = ends, .count = 2}};
+    int32_t nearest[5] = {7, 7, 7, 7, 7};
+    double rows[2][5], d[5], xyz[5][3];
+    CHECK(taut_heat_new(mesh, NULL, NULL, &heat) == TAUT_STATUS_OK);
+    CHECK(taut_heat_field_new(heat, &from, NULL, &field) == TAUT_STATUS_OK);
+    CHECK(taut_heat_field_restarts(field) == 0 && taut_heat_field_nonpositive_heat(field) == 0);
+    const taut_output to_nearest = {.data = nearest, .count = 5, .type = TAUT_TYPE_I32};
+    CHECK(taut_heat_field_nearest_sources(field, to_nearest) == TAUT_STATUS_OK);
+    CHECK(nearest[0] == 0 && nearest[2] == 1 && nearest[4] == -1);
+    CHECK_FAILS(taut_heat_field_distances(field, (taut_output){.data = d, .count = 4}), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    taut_heat_field_free(field);
+
+    const taut_output to_rows = {.data = rows, .count = 2, .stride = sizeof rows[0]};
+    CHECK(taut_heat_distance_rows(heat, &from, 2, NULL, to_rows) == TAUT_STATUS_OK);
+    for (size_t i = 0; i < 2; i++) {
+        const taut_sources one = {.struct_size = sizeof one, .vertices = {.data = ends + i, .count = 1}};
+        CHECK(heat_distances(heat, &one, d) == TAUT_STATUS_OK && memcmp(d, rows[i], sizeof d) == 0);
+    }
+    CHECK_FAILS(taut_heat_distance_rows(heat, &from, 2, NULL, (taut_output){.data = rows, .count = 1}),
+                TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+
+    taut_heat_report report = {.struct_size = sizeof report};
+    CHECK(taut_heat_report_of(heat, &report) == TAUT_STATUS_OK);
+    CHECK(report.struct_size == sizeof report && report.heat_seconds > 0 && report.mollified == 0);
+    CHECK_FAILS(taut_heat_report_of(heat, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    taut_heat_report older = {.struct_size = offsetof(taut_heat_report, mollified), .mollified = 77};
+    CHECK(taut_heat_report_of(heat, &older) == TAUT_STATUS_OK && older.mollified == 77);
+
+    /* Twice the size has twice the distances. */
+    CHECK(taut_mesh_positions(mesh, (taut_output){.data = xyz, .count = 5}) == TAUT_STATUS_OK);
+    for (size_t i = 0; i < 15; i++) xyz[i / 3][i % 3] *= 2;
+    const taut_input twice = {.data = xyz, .count = 5};
+    CHECK_FAILS(taut_mesh_with_positions(mesh, (taut_input){.data = xyz, .count = 4}, &broken), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(broken == NULL);
+    CHECK(taut_mesh_with_positions(mesh, twice, &moved) == TAUT_STATUS_OK);
+    CHECK(taut_heat_with_mesh(heat, moved, NULL, &again) == TAUT_STATUS_OK);
+    CHECK(heat_distances(heat, &from, d) == TAUT_STATUS_OK && heat_distances(again, &from, rows[0]) == TAUT_STATUS_OK);
+    for (size_t v = 0; v < 4; v++) CHECK(rows[0][v] == 2 * d[v]);
+    CHECK_FAILS(taut_heat_with_mesh(heat, NULL, NULL, &again), TAUT_REASON_NULL_POINTER, 0, 0);
+    xyz[1][1] = NAN;
+    CHECK_FAILS(taut_mesh_with_positions(mesh, twice, &broken), TAUT_REASON_NON_FINITE_COORDINATE, TAUT_ELEMENT_VERTEX, 1);
+    taut_mesh_free(moved);
+    taut_heat_free(heat);
+    taut_mesh_free(mesh);
 }
 
 static void exact_distances(void) {
@@ -1115,15 +1191,17 @@ static void sources_in_triangles(void) {
     CHECK(field_of(exact, &from, d) == TAUT_STATUS_OK && d[3] == 0 && d[0] == 4);
     taut_exact_free(exact);
 
-    /* The heat method takes points that are vertices. */
+    /* The heat method takes the same places. */
     taut_mesh *mesh = rectangle();
     taut_heat *heat = NULL;
     const double at_corner[] = {0, 0, 1};
     CHECK(taut_heat_new(mesh, NULL, NULL, &heat) == TAUT_STATUS_OK);
     from = (taut_sources){.struct_size = sizeof from, .faces = indices(&face_zero, 1), .barycentrics = scalars(inside, 1)};
-    CHECK_FAILS(taut_heat_distances(heat, &from, NULL, room(d, 5)), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_SOURCE, 0);
+    CHECK(heat_distances(heat, &from, d) == TAUT_STATUS_OK && d[0] > 0 && d[2] > 0 && d[4] == INFINITY);
     from.barycentrics = scalars(at_corner, 1);
-    CHECK(taut_heat_distances(heat, &from, NULL, room(d, 5)) == TAUT_STATUS_OK && d[3] == 0 && d[0] > 0);
+    CHECK(heat_distances(heat, &from, d) == TAUT_STATUS_OK && d[3] == 0 && d[0] > 0);
+    from.faces = indices(&beyond, 1);
+    CHECK_FAILS(heat_distances(heat, &from, d), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_SOURCE, 0);
     taut_heat_free(heat);
     taut_mesh_free(mesh);
 }
@@ -1804,6 +1882,7 @@ int main(void) {
     long_calls();
     heat_options();
     time_steps();
+    heat_fields();
     exact_distances();
     reports();
     properties();

@@ -45,6 +45,19 @@ FIELD(taut_time_step, scale, 4);
 FIELD(taut_time_step, factor, 8);
 FIELD(taut_time_step, value, 16);
 
+SIZE(taut_heat_report, 80);
+FIELD(taut_heat_report, struct_size, 0);
+FIELD(taut_heat_report, flips, 8);
+FIELD(taut_heat_report, stuck_edges, 16);
+FIELD(taut_heat_report, mollified, 24);
+FIELD(taut_heat_report, reserved, 28);
+FIELD(taut_heat_report, delaunay_seconds, 32);
+FIELD(taut_heat_report, assembly_seconds, 40);
+FIELD(taut_heat_report, order_seconds, 48);
+FIELD(taut_heat_report, symbolic_seconds, 56);
+FIELD(taut_heat_report, poisson_seconds, 64);
+FIELD(taut_heat_report, heat_seconds, 72);
+
 SIZE(taut_heat_options, 56);
 FIELD(taut_heat_options, struct_size, 0);
 FIELD(taut_heat_options, time_step, 8);

@@ -247,6 +247,9 @@ typedef struct taut_exact_field taut_exact_field;
 /** The heat method prepared for one mesh and one time step: operators and their factors. Serves any number of calls. */
 typedef struct taut_heat taut_heat;
 
+/** The distances from one set of sources by the heat method. */
+typedef struct taut_heat_field taut_heat_field;
+
 /** A mesh, checked once and then immutable: any soup of triangles. Vertex v of the mesh is vertex v of its input. */
 typedef struct taut_mesh taut_mesh;
 
@@ -523,6 +526,35 @@ typedef struct {
 } taut_heat_options;
 
 /**
+ * What preparing the heat method did to the triangulation, and how long its stages took, by the clock; 0 seconds for those
+ * that another `taut_heat` had done.
+ */
+typedef struct {
+    /** `sizeof(taut_heat_report)`, set by the caller. */
+    size_t struct_size;
+    /** How many edges were flipped; 0 with `TAUT_LAPLACIAN_PLAIN`. */
+    uint64_t flips;
+    /** How many edges are not Delaunay although flips should have made them so; 0 with `TAUT_LAPLACIAN_PLAIN`. */
+    uint64_t stuck_edges;
+    /** 1 if all edges were lengthened a little, because some triangle had (almost) no area; else 0. */
+    uint32_t mollified;
+    /** 0. */
+    uint32_t reserved;
+    /** Edge lengths, mollification and edge flips. */
+    double delaunay_seconds;
+    /** The matrices. */
+    double assembly_seconds;
+    /** Their fill-reducing ordering. */
+    double order_seconds;
+    /** Where their factors have entries. */
+    double symbolic_seconds;
+    /** The factor for the distances. */
+    double poisson_seconds;
+    /** The factor for the heat; two with a boundary blend. */
+    double heat_seconds;
+} taut_heat_report;
+
+/**
  * Where distances are measured from: vertices, points of the surface and curves on it, each at its own start distance.
  *
  * Sources are numbered from 0, the vertices first, then the points, then the curves: offsets are given, errors named, and
@@ -769,6 +801,21 @@ taut_status taut_mesh_new(taut_input positions, taut_input triangles, taut_mesh 
 taut_status taut_mesh_new_polygons(taut_input positions, taut_input offsets, taut_input corners, taut_mesh **out);
 
 /**
+ * Makes a mesh of the same triangles with its vertices in other places: a mesh that moves. What connects the triangles is
+ * not computed again.
+ *
+ * - `mesh`: not NULL; it stays as it is and may be freed before the new one.
+ * - `positions`: rows of three real numbers, as many as there are vertices; mesh units. It is copied.
+ * - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT where there are more or fewer positions than vertices;
+ * TAUT_REASON_NON_FINITE_COORDINATE names the vertex. Cost: O(V + F). Threads: any. Cannot be cancelled.
+ */
+taut_status taut_mesh_with_positions(const taut_mesh *mesh,
+                                     taut_input positions,
+                                     taut_mesh **out);
+
+/**
  * Reads a mesh file: binary glTF, OBJ, OFF, PLY or STL, each also compressed. Polygons become fans as in
  * `taut_mesh_new_polygons`. glTF and STL repeat positions: there, equal positions become one vertex, numbered by first
  * appearance; of glTF all triangles of the scene are read, each where its nodes place it.
@@ -990,24 +1037,118 @@ taut_status taut_heat_with_time_step(const taut_heat *heat,
 double taut_heat_time_step(const taut_heat *heat);
 
 /**
- * Computes the distance of every vertex by the heat method: approximate, smooth, fast for many calls.
+ * Prepares the heat method for the same triangles in another place, with the options that `heat` was prepared with.
+ *
+ * - `heat`: not NULL; it stays as it is and may be freed before the new one.
+ * - `mesh`: not NULL; as `taut_mesh_with_positions` makes it. It may be freed afterwards.
+ * - `control`: progress, cancellation and a time limit, or NULL.
+ * - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT where the mesh has other triangles; else as for `taut_heat_new`. Cost: that of
+ * `taut_heat_new` less the ordering of the matrices and, where no other edges are flipped than before, less their
+ * analysis. Threads: any. The control is consulted between the steps, not inside a factorisation.
+ */
+taut_status taut_heat_with_mesh(const taut_heat *heat,
+                                const taut_mesh *mesh,
+                                const taut_control *control,
+                                taut_heat **out);
+
+/**
+ * Tells what the preparation did to the triangulation, and how long its stages took.
+ *
+ * - `heat`: not NULL.
+ * - `out`: not NULL; receives it; set `struct_size` before the call.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT. Cost: O(1). Threads: any. Cannot be cancelled.
+ */
+taut_status taut_heat_report_of(const taut_heat *heat, taut_heat_report *out);
+
+/**
+ * Computes the distances from a set of sources by the heat method: approximate, smooth, fast for many calls.
  *
  * - `heat`: not NULL.
  * - `sources`: where to measure from; not NULL, at least one.
  * - `control`: progress, cancellation and a time limit, or NULL.
+ * - `out`: receives the field, to be freed with `taut_heat_field_free`; NULL on failure.
+ *
+ * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and
+ * TAUT_REASON_SOURCE_ON_BOUNDARY name the source; TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: a few sparse
+ * triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` also a short one for each vertex of a source or, for more
+ * than 256 in one component, a factorisation. Threads: any, also on one `heat` at once. The control is consulted between
+ * the steps, not inside a solve.
+ */
+taut_status taut_heat_field_new(const taut_heat *heat,
+                                const taut_sources *sources,
+                                const taut_control *control,
+                                taut_heat_field **out);
+
+/**
+ * Tells the distance of every vertex.
+ *
+ * - `field`: not NULL.
  * - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
  *   reaches.
  *
- * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and
- * TAUT_REASON_SOURCE_ON_BOUNDARY name the source; TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED,
- * TAUT_REASON_TIME_LIMIT. Cost: a few sparse triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` also a short
- * one for each vertex of a source or, for more than 256 in one component, a factorisation. Threads: any, also on one
- * `heat` at once. The control is consulted between the steps, not inside a solve.
+ * `taut_descent_paths_new` follows these distances back to a source.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: O(V). Threads: any. Cannot be cancelled.
  */
-taut_status taut_heat_distances(const taut_heat *heat,
-                                const taut_sources *sources,
-                                const taut_control *control,
-                                taut_output out);
+taut_status taut_heat_field_distances(const taut_heat_field *field, taut_output out);
+
+/**
+ * Tells the nearest source of every vertex, by its number among the sources: the one to which steepest descent leads.
+ *
+ * - `field`: not NULL.
+ * - `out`: rows of one index, at least as many as there are vertices. Where no source reaches all bits are set: -1 in a
+ *   signed type, the largest value of an unsigned one.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: O(V log V).
+ * Threads: any. Cannot be cancelled.
+ */
+taut_status taut_heat_field_nearest_sources(const taut_heat_field *field, taut_output out);
+
+/**
+ * Tells at how many vertices that a source reaches heat was not positive. There the direction is doubtful: cotangents are
+ * negative nearby, by `TAUT_LAPLACIAN_PLAIN` or at edges that could not be flipped.
+ *
+ * - `field`: not NULL.
+ *
+ * Returns 0 if `field` is NULL. Cost: O(1). Threads: any.
+ */
+uint64_t taut_heat_field_nonpositive_heat(const taut_heat_field *field);
+
+/**
+ * Tells how often heat had to start anew, because it had faded below the numbers that there are.
+ *
+ * - `field`: not NULL.
+ *
+ * Returns 0 if `field` is NULL. Cost: O(1). Threads: any.
+ */
+uint32_t taut_heat_field_restarts(const taut_heat_field *field);
+
+/** Frees a field; NULL is fine. */
+void taut_heat_field_free(taut_heat_field *field);
+
+/**
+ * Computes the distances of every vertex from each of several sources by the heat method, one field for each.
+ *
+ * - `heat`: not NULL.
+ * - `sources`: where to measure from; not NULL. No source means no rows.
+ * - `threads`: how many threads compute rows: 1 for the calling one only, 0 for as many as the machine has, 1024 at most.
+ *   The distances are the same, to the bit, for any number, and the same as those of `taut_heat_field_new`.
+ * - `control`: progress, cancellation and a time limit, or NULL.
+ * - `out`: rows of as many real numbers as there are vertices, at least one row for each source, in their order; mesh
+ *   units. +INFINITY where the source does not reach.
+ *
+ * Errors: TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; else as for `taut_heat_field_new`. Cost: half of that
+ * of `taut_heat_field_new` for each source, as eight are solved for at once; and 8 bytes for each number until all are
+ * there. Threads: any, also on one `heat` at once. The control is consulted between the steps.
+ */
+taut_status taut_heat_distance_rows(const taut_heat *heat,
+                                    const taut_sources *sources,
+                                    size_t threads,
+                                    const taut_control *control,
+                                    taut_output out);
 
 /** Frees a prepared heat method; NULL is fine. */
 void taut_heat_free(taut_heat *heat);

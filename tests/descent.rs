@@ -22,7 +22,7 @@ fn exact(mesh: &Mesh, sources: &[Source]) -> Vec<f64> {
 
 fn heat(mesh: &Mesh, sources: &[Source]) -> Vec<f64> {
     let solver = HeatSolver::new(mesh, &HeatOptions::default(), &Control::new()).unwrap();
-    solver.distances(sources, &Control::new()).unwrap()
+    solver.field(sources, &Control::new()).unwrap().into_distances()
 }
 
 /// The value at a point.

@@ -3,13 +3,17 @@
 use super::control::taut_control;
 use super::guard::{control_or_new, free, guard, guard_new, guard_value, null, required};
 use super::mesh::taut_mesh;
-use super::types::{SizedStruct, bad_enum, read_sized, sources, taut_output, taut_sources};
+use super::types::{SizedStruct, bad_enum, read_sized, sources, taut_output, taut_sources, write_required};
 use crate::{
-    Error, HeatOptions, HeatSolver, Laplacian, Reason, Result, Shift, Solver, Status, TimeFormula, TimeScale, TimeStep,
+    Error, HeatField, HeatOptions, HeatReport, HeatSolver, Laplacian, Reason, Result, Shift, Solver, Source, Status,
+    TimeFormula, TimeScale, TimeStep,
 };
 
 /// The heat method prepared for one mesh and one time step: operators and their factors. Serves any number of calls.
 pub struct taut_heat(HeatSolver);
+
+/// The distances from one set of sources by the heat method.
+pub struct taut_heat_field(HeatField);
 
 /// A formula for the time step t, from the edge lengths: their mean e and standard deviation s. 0 means
 /// `TAUT_TIME_FORMULA_MEAN_EDGE`. Eq. 1 is Crane, Weischedel and Wardetzky's (Geodesics in Heat, 2013), the others are
@@ -92,6 +96,38 @@ pub struct taut_heat_options {
 
 // SAFETY: repr(C), starts with its size; integers and floats are valid for any bytes, and no padding follows them.
 unsafe impl SizedStruct for taut_heat_options {}
+
+/// What preparing the heat method did to the triangulation, and how long its stages took, by the clock; 0 seconds for those
+/// that another `taut_heat` had done.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct taut_heat_report {
+    /// `sizeof(taut_heat_report)`, set by the caller.
+    pub struct_size: usize,
+    /// How many edges were flipped; 0 with `TAUT_LAPLACIAN_PLAIN`.
+    pub flips: u64,
+    /// How many edges are not Delaunay although flips should have made them so; 0 with `TAUT_LAPLACIAN_PLAIN`.
+    pub stuck_edges: u64,
+    /// 1 if all edges were lengthened a little, because some triangle had (almost) no area; else 0.
+    pub mollified: u32,
+    /// 0.
+    pub reserved: u32,
+    /// Edge lengths, mollification and edge flips.
+    pub delaunay_seconds: f64,
+    /// The matrices.
+    pub assembly_seconds: f64,
+    /// Their fill-reducing ordering.
+    pub order_seconds: f64,
+    /// Where their factors have entries.
+    pub symbolic_seconds: f64,
+    /// The factor for the distances.
+    pub poisson_seconds: f64,
+    /// The factor for the heat; two with a boundary blend.
+    pub heat_seconds: f64,
+}
+
+// SAFETY: repr(C), starts with its size, and no field is read back from the caller.
+unsafe impl SizedStruct for taut_heat_report {}
 
 /// Tells the time step t that a mesh gets, without preparing anything.
 ///
@@ -181,33 +217,181 @@ pub extern "C" fn taut_heat_time_step(heat: Option<&taut_heat>) -> f64 {
     guard_value(0.0, || Ok(required(heat, "heat")?.0.time_step()))
 }
 
-/// Computes the distance of every vertex by the heat method: approximate, smooth, fast for many calls.
+/// Prepares the heat method for the same triangles in another place, with the options that `heat` was prepared with.
+///
+/// - `heat`: not NULL; it stays as it is and may be freed before the new one.
+/// - `mesh`: not NULL; as `taut_mesh_with_positions` makes it. It may be freed afterwards.
+/// - `control`: progress, cancellation and a time limit, or NULL.
+/// - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
+///
+/// Errors: TAUT_REASON_BAD_ARGUMENT where the mesh has other triangles; else as for `taut_heat_new`. Cost: that of
+/// `taut_heat_new` less the ordering of the matrices and, where no other edges are flipped than before, less their
+/// analysis. Threads: any. The control is consulted between the steps, not inside a factorisation.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_heat_with_mesh(
+    heat: Option<&taut_heat>,
+    mesh: Option<&taut_mesh>,
+    control: Option<&taut_control>,
+    out: *mut *mut taut_heat,
+) -> Status {
+    let body = || {
+        let (heat, mesh) = (required(heat, "heat")?, required(mesh, "mesh")?);
+        Ok(taut_heat(heat.0.with_mesh(&mesh.0, &control_or_new(control))?))
+    };
+    // SAFETY: the header asks for a writable `out`.
+    unsafe { guard_new(out, body) }
+}
+
+/// Tells what the preparation did to the triangulation, and how long its stages took.
+///
+/// - `heat`: not NULL.
+/// - `out`: not NULL; receives it; set `struct_size` before the call.
+///
+/// Errors: TAUT_REASON_BAD_ARGUMENT. Cost: O(1). Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_heat_report_of(heat: Option<&taut_heat>, out: *mut taut_heat_report) -> Status {
+    guard(|| {
+        let report = required(heat, "heat")?.0.report();
+        // SAFETY: the header asks for a struct of at least the size that it states.
+        unsafe { write_required(out, &taut_heat_report::from(report)) }
+    })
+}
+
+impl From<HeatReport> for taut_heat_report {
+    fn from(report: HeatReport) -> Self {
+        let times = report.times;
+        taut_heat_report {
+            struct_size: size_of::<taut_heat_report>(),
+            flips: report.flips,
+            stuck_edges: report.stuck_edges,
+            mollified: u32::from(report.mollified),
+            reserved: 0,
+            delaunay_seconds: times.delaunay.as_secs_f64(),
+            assembly_seconds: times.assembly.as_secs_f64(),
+            order_seconds: times.order.as_secs_f64(),
+            symbolic_seconds: times.symbolic.as_secs_f64(),
+            poisson_seconds: times.poisson.as_secs_f64(),
+            heat_seconds: times.heat.as_secs_f64(),
+        }
+    }
+}
+
+/// Computes the distances from a set of sources by the heat method: approximate, smooth, fast for many calls.
 ///
 /// - `heat`: not NULL.
 /// - `sources`: where to measure from; not NULL, at least one.
 /// - `control`: progress, cancellation and a time limit, or NULL.
+/// - `out`: receives the field, to be freed with `taut_heat_field_free`; NULL on failure.
+///
+/// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and
+/// TAUT_REASON_SOURCE_ON_BOUNDARY name the source; TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: a few sparse
+/// triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` also a short one for each vertex of a source or, for more
+/// than 256 in one component, a factorisation. Threads: any, also on one `heat` at once. The control is consulted between
+/// the steps, not inside a solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_heat_field_new(
+    heat: Option<&taut_heat>,
+    sources: *const taut_sources,
+    control: Option<&taut_control>,
+    out: *mut *mut taut_heat_field,
+) -> Status {
+    let body = || {
+        let heat = required(heat, "heat")?;
+        // SAFETY: the header asks for a struct of the size that it states, and views of readable memory.
+        let sources = unsafe { self::sources(sources)? };
+        Ok(taut_heat_field(heat.0.field(&sources, &control_or_new(control))?))
+    };
+    // SAFETY: the header asks for a writable `out`.
+    unsafe { guard_new(out, body) }
+}
+
+/// Tells the distance of every vertex.
+///
+/// - `field`: not NULL.
 /// - `out`: rows of one real number, at least as many as there are vertices; mesh units. +INFINITY where no source
 ///   reaches.
 ///
-/// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and
-/// TAUT_REASON_SOURCE_ON_BOUNDARY name the source; TAUT_REASON_BUFFER_TOO_SMALL, TAUT_REASON_CANCELLED,
-/// TAUT_REASON_TIME_LIMIT. Cost: a few sparse triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` also a short
-/// one for each vertex of a source or, for more than 256 in one component, a factorisation. Threads: any, also on one
-/// `heat` at once. The control is consulted between the steps, not inside a solve.
+/// `taut_descent_paths_new` follows these distances back to a source.
+///
+/// Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: O(V). Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn taut_heat_distances(
+pub unsafe extern "C" fn taut_heat_field_distances(field: Option<&taut_heat_field>, out: taut_output) -> Status {
+    // SAFETY: the header asks for a view of writable memory.
+    guard(|| unsafe { out.write_scalars(required(field, "field")?.0.distances().as_chunks::<1>().0, "out") })
+}
+
+/// Tells the nearest source of every vertex, by its number among the sources: the one to which steepest descent leads.
+///
+/// - `field`: not NULL.
+/// - `out`: rows of one index, at least as many as there are vertices. Where no source reaches all bits are set: -1 in a
+///   signed type, the largest value of an unsigned one.
+///
+/// Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: O(V log V).
+/// Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_heat_field_nearest_sources(field: Option<&taut_heat_field>, out: taut_output) -> Status {
+    // SAFETY: the header asks for a view of writable memory.
+    guard(|| unsafe { out.write_optional_indices(&required(field, "field")?.0.nearest_sources(), "out") })
+}
+
+/// Tells at how many vertices that a source reaches heat was not positive. There the direction is doubtful: cotangents are
+/// negative nearby, by `TAUT_LAPLACIAN_PLAIN` or at edges that could not be flipped.
+///
+/// - `field`: not NULL.
+///
+/// Returns 0 if `field` is NULL. Cost: O(1). Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_heat_field_nonpositive_heat(field: Option<&taut_heat_field>) -> u64 {
+    guard_value(0, || Ok(required(field, "field")?.0.nonpositive_heat()))
+}
+
+/// Tells how often heat had to start anew, because it had faded below the numbers that there are.
+///
+/// - `field`: not NULL.
+///
+/// Returns 0 if `field` is NULL. Cost: O(1). Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_heat_field_restarts(field: Option<&taut_heat_field>) -> u32 {
+    guard_value(0, || Ok(required(field, "field")?.0.restarts()))
+}
+
+/// Frees a field; NULL is fine.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_heat_field_free(field: Option<Box<taut_heat_field>>) {
+    free(field);
+}
+
+/// Computes the distances of every vertex from each of several sources by the heat method, one field for each.
+///
+/// - `heat`: not NULL.
+/// - `sources`: where to measure from; not NULL. No source means no rows.
+/// - `threads`: how many threads compute rows: 1 for the calling one only, 0 for as many as the machine has, 1024 at most.
+///   The distances are the same, to the bit, for any number, and the same as those of `taut_heat_field_new`.
+/// - `control`: progress, cancellation and a time limit, or NULL.
+/// - `out`: rows of as many real numbers as there are vertices, at least one row for each source, in their order; mesh
+///   units. +INFINITY where the source does not reach.
+///
+/// Errors: TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; else as for `taut_heat_field_new`. Cost: half of that
+/// of `taut_heat_field_new` for each source, as eight are solved for at once; and 8 bytes for each number until all are
+/// there. Threads: any, also on one `heat` at once. The control is consulted between the steps.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_heat_distance_rows(
     heat: Option<&taut_heat>,
     sources: *const taut_sources,
+    threads: usize,
     control: Option<&taut_control>,
     out: taut_output,
 ) -> Status {
     guard(|| {
-        let heat = required(heat, "heat")?;
+        let heat = &required(heat, "heat")?.0;
         // SAFETY: the header asks for a struct of the size that it states, and views of readable memory.
         let sources = unsafe { self::sources(sources)? };
-        let field = heat.0.field(&sources, &control_or_new(control))?;
+        let vertex_count = heat.mesh().vertex_count();
+        out.scalar_layout(sources.len(), vertex_count, "out")?;
+        let sets: Vec<Vec<Source>> = sources.into_iter().map(|source| vec![source]).collect();
+        let rows = heat.distance_rows(&sets, threads, &control_or_new(control))?;
         // SAFETY: the header asks for a view of writable memory.
-        unsafe { out.write_scalars(field.distances().as_chunks::<1>().0, "out") }
+        unsafe { out.write_scalar_rows(&rows, vertex_count, "out") }
     })
 }
 

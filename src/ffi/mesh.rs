@@ -63,6 +63,31 @@ pub unsafe extern "C" fn taut_mesh_new_polygons(
     unsafe { guard_new(out, body) }
 }
 
+/// Makes a mesh of the same triangles with its vertices in other places: a mesh that moves. What connects the triangles is
+/// not computed again.
+///
+/// - `mesh`: not NULL; it stays as it is and may be freed before the new one.
+/// - `positions`: rows of three real numbers, as many as there are vertices; mesh units. It is copied.
+/// - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
+///
+/// Errors: TAUT_REASON_BAD_ARGUMENT where there are more or fewer positions than vertices;
+/// TAUT_REASON_NON_FINITE_COORDINATE names the vertex. Cost: O(V + F). Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_mesh_with_positions(
+    mesh: Option<&taut_mesh>,
+    positions: taut_input,
+    out: *mut *mut taut_mesh,
+) -> Status {
+    let body = || {
+        let mesh = required(mesh, "mesh")?;
+        // SAFETY: the header asks for a view of readable memory.
+        let positions = unsafe { positions.scalars(3, "positions")? };
+        Ok(taut_mesh(mesh.0.with_positions(&positions.positions())?))
+    };
+    // SAFETY: the header asks for a writable `out`.
+    unsafe { guard_new(out, body) }
+}
+
 /// Reads a mesh file: binary glTF, OBJ, OFF, PLY or STL, each also compressed. Polygons become fans as in
 /// `taut_mesh_new_polygons`. glTF and STL repeat positions: there, equal positions become one vertex, numbered by first
 /// appearance; of glTF all triangles of the scene are read, each where its nodes place it.

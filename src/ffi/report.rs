@@ -2,7 +2,7 @@
 
 use super::guard::{free, guard, guard_new, guard_value, null, required};
 use super::mesh::taut_mesh;
-use super::types::{SizedStruct, bad_enum, taut_output, write_sized};
+use super::types::{SizedStruct, bad_enum, taut_output, write_required};
 use crate::{Angle, Error, MeshReport, Properties, Reason, Result, Status};
 
 /// The diagnosis of a mesh.
@@ -352,17 +352,4 @@ fn findings(report: &MeshReport, finding: taut_finding) -> Result<Findings> {
         TAUT_FINDING_UNREFERENCED_VERTICES => Findings::Single(report.unreferenced_vertices.clone()),
         _ => return Err(bad_enum("finding", finding)),
     })
-}
-
-/// [`write_sized`] to a pointer that must not be NULL.
-///
-/// # Safety
-/// As for [`write_sized`].
-unsafe fn write_required<T: SizedStruct>(out: *mut T, value: &T) -> Result<()> {
-    if out.is_null() {
-        return Err(null("out"));
-    }
-    // SAFETY: as the caller promises.
-    unsafe { write_sized(out, value) };
-    Ok(())
 }

@@ -164,6 +164,19 @@ pub(super) unsafe fn write_sized<T: SizedStruct>(pointer: *mut T, value: &T) {
     }
 }
 
+/// [`write_sized`] to a pointer that must not be NULL.
+///
+/// # Safety
+/// As for [`write_sized`].
+pub(super) unsafe fn write_required<T: SizedStruct>(out: *mut T, value: &T) -> Result<()> {
+    if out.is_null() {
+        return Err(null("out"));
+    }
+    // SAFETY: as the caller promises.
+    unsafe { write_sized(out, value) };
+    Ok(())
+}
+
 /// Zeroes everything but the size, which it returns; 0 for NULL.
 ///
 /// # Safety

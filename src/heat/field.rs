@@ -10,7 +10,9 @@ use super::{HeatSolver, Shift};
 use crate::control::Piece;
 use crate::error::Result;
 use crate::linear::Pin;
+use crate::mesh::Mesh;
 use crate::mesh::topology::NONE;
+use crate::surface::basin::basins;
 use crate::surface::source::Seed;
 use std::array;
 
@@ -20,7 +22,10 @@ const MOST_PINS: usize = 256;
 /// The distances from one set of sources by the heat method.
 #[derive(Debug, Clone)]
 pub struct HeatField {
+    mesh: Mesh,
     distances: Vec<f64>,
+    /// Vertices whose nearest source is known, and that source.
+    nearest: Vec<(u32, u32)>,
     restarts: u32,
     nonpositive: u64,
 }
@@ -37,6 +42,15 @@ impl HeatField {
     #[must_use]
     pub fn into_distances(self) -> Vec<f64> {
         self.distances
+    }
+
+    /// The source to which steepest descent of the distances leads from each vertex, by its number; None where no source
+    /// reaches. [`descent_paths`](crate::descent_paths) draws the ways there.
+    ///
+    /// O(V log V) time.
+    #[must_use]
+    pub fn nearest_sources(&self) -> Vec<Option<u32>> {
+        basins(&self.mesh, &self.distances, &self.nearest)
     }
 
     /// How often heat had to start anew, because it had faded below the numbers there are.
@@ -60,18 +74,27 @@ impl HeatSolver {
         for set in sets {
             placed.push(Placed::new(set, &self.systems, self.time_step)?);
         }
-        let placed: [Placed; K] = placed.try_into().unwrap_or_else(|_| unreachable!("K sets"));
+        let placed: [Placed; K] = exactly(placed);
         piece.checkpoint(0.0)?;
         let flows = self.flows(&placed)?;
         piece.checkpoint(0.5)?;
         let potentials = self.systems.potentials(&flows, &placed)?;
         piece.checkpoint(1.0)?;
-        Ok(array::from_fn(|k| HeatField {
-            distances: self.systems.shifted(potentials.iter().map(|phi| phi[k]), &placed[k]),
+        let fields = placed.into_iter().enumerate().map(|(k, placed)| HeatField {
+            mesh: self.systems.mesh.clone(),
+            distances: self.systems.shifted(potentials.iter().map(|phi| phi[k]), &placed),
+            nearest: placed.nearest,
             restarts: flows[k].restarts,
             nonpositive: flows[k].nonpositive,
-        }))
+        });
+        Ok(exactly(fields))
     }
+}
+
+/// The K things that there are.
+fn exactly<T, const K: usize>(things: impl IntoIterator<Item = T>) -> [T; K] {
+    let mut things = things.into_iter();
+    array::from_fn(|_| things.next().expect("one for each query"))
 }
 
 impl Systems {

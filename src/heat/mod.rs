@@ -181,6 +181,12 @@ impl HeatSolver {
         HeatSolver::build(mesh, &self.systems.options, Some(&self.systems), control)
     }
 
+    /// The mesh that it was built for.
+    #[must_use]
+    pub fn mesh(&self) -> &Mesh {
+        &self.systems.mesh
+    }
+
     /// The time step t, in mesh units squared; +inf or 0 where these do not fit a number.
     #[must_use]
     pub fn time_step(&self) -> f64 {

@@ -15,7 +15,6 @@ use std::collections::HashSet;
 
 /// The label of the seed to which steepest descent leads from each vertex; None where the value is not finite, and where
 /// no seed can be reached. A seed is a vertex and its label; of several at one vertex the first counts.
-#[cfg_attr(not(test), expect(dead_code, reason = "nearest sources by heat will be the first use"))]
 pub(crate) fn basins(mesh: &Mesh, values: &[f64], seeds: &[(u32, u32)]) -> Vec<Option<u32>> {
     let positions = Scale::of(mesh).unit_positions(mesh);
     let outlets: Vec<u32> = seeds.iter().map(|&(v, _)| v).collect();
