@@ -1,11 +1,14 @@
 //! Lengths on a mesh, in units that make them about 1: everything after this needs only edge lengths.
 //!
 //! [`Metric`] holds triangles and their edge lengths, [`mollify`] makes every triangle proper, [`delaunay`] flips edges
-//! until the triangulation is intrinsically Delaunay, [`stats`] describes the edges of the input.
+//! until the triangulation is intrinsically Delaunay, on both sides of the surface where need be ([`glue`], [`tufted`]),
+//! [`stats`] describes the edges of the input.
 
 pub(crate) mod delaunay;
+mod glue;
 pub(crate) mod mollify;
 pub(crate) mod stats;
+mod tufted;
 
 use crate::mesh::Mesh;
 
@@ -19,6 +22,8 @@ pub(crate) struct Metric {
     pub(crate) triangles: Vec<[u32; 3]>,
     /// Lengths of its three half-edges.
     pub(crate) lengths: Vec<[f64; 3]>,
+    /// How many triangles count in full. Those after them count half: they lie on one side of the surface only.
+    pub(crate) single: usize,
 }
 
 impl Metric {
@@ -30,7 +35,12 @@ impl Metric {
         let positions = scale.unit_positions(mesh);
         let length = |a: u32, b: u32| distance(positions[a as usize], positions[b as usize]);
         let lengths = triangles.iter().map(|&[a, b, c]| [length(a, b), length(b, c), length(c, a)]).collect();
-        Metric { triangles, lengths }
+        Metric { single: triangles.len(), triangles, lengths }
+    }
+
+    /// How much triangle `f` counts: 1, or ½ on one side of the surface.
+    pub(crate) fn weight(&self, f: usize) -> f64 {
+        if f < self.single { 1.0 } else { 0.5 }
     }
 }
 
@@ -113,11 +123,15 @@ impl Scale {
         times_power_of_two(length, -self.exponent)
     }
 
+    /// A position of the mesh in units.
+    pub(crate) fn unit_position(self, position: [f64; 3]) -> [f64; 3] {
+        // A coordinate that overflows is too far out for its neighbours to differ from it: all are clamped to the same.
+        position.map(|x| self.to_unit(x).clamp(-f64::MAX, f64::MAX))
+    }
+
     /// The position of each vertex in units.
     pub(crate) fn unit_positions(self, mesh: &Mesh) -> Vec<[f64; 3]> {
-        // A coordinate that overflows is too far out for its neighbours to differ from it: all are clamped to the same.
-        let coordinate = |x: f64| self.to_unit(x).clamp(-f64::MAX, f64::MAX);
-        mesh.positions().iter().map(|position| position.map(coordinate)).collect()
+        mesh.positions().iter().map(|&position| self.unit_position(position)).collect()
     }
 
     /// A length in units as a length of the mesh.

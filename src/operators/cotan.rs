@@ -7,7 +7,8 @@ use nalgebra_sparse::{CooMatrix, CscMatrix};
 
 /// Half the cotangent of the angle opposite each half-edge.
 pub(super) fn half_cotangents(metric: &Metric) -> Vec<[f64; 3]> {
-    metric.lengths.iter().map(|&lengths| cotangents(lengths).map(|cot| cot / 2.0)).collect()
+    let weighted = |(f, &lengths)| cotangents(lengths).map(|cot| metric.weight(f) / 2.0 * cot);
+    metric.lengths.iter().enumerate().map(weighted).collect()
 }
 
 /// The lower triangle of L, with every diagonal entry.
@@ -44,8 +45,8 @@ mod tests {
     #[test]
     fn unit_square() {
         let diagonal = 2f64.sqrt();
-        let metric =
-            Metric { triangles: vec![[0, 1, 2], [0, 2, 3]], lengths: vec![[1.0, 1.0, diagonal], [diagonal, 1.0, 1.0]] };
+        let lengths = vec![[1.0, 1.0, diagonal], [diagonal, 1.0, 1.0]];
+        let metric = Metric { triangles: vec![[0, 1, 2], [0, 2, 3]], lengths, single: 2 };
         let matrix = stiffness(&metric, &half_cotangents(&metric), 4);
         let expected = [(0, 0, 1.0), (1, 0, -0.5), (2, 0, 0.0), (3, 0, -0.5), (1, 1, 1.0), (2, 1, -0.5)];
         for (row, column, value) in expected {

@@ -62,8 +62,8 @@ mod tests {
     #[test]
     fn divergence_of_a_plane_wave_is_its_flux() {
         let diagonal = 2f64.sqrt();
-        let metric =
-            Metric { triangles: vec![[0, 1, 2], [0, 2, 3]], lengths: vec![[1.0, 1.0, diagonal], [diagonal, 1.0, 1.0]] };
+        let lengths = vec![[1.0, 1.0, diagonal], [diagonal, 1.0, 1.0]];
+        let metric = Metric { triangles: vec![[0, 1, 2], [0, 2, 3]], lengths, single: 2 };
         let operators = Operators::new(metric, 4);
         for size in [1.0, 1e-300] {
             let divergence = operators.divergence_of_direction(&[0.0, size, size, 0.0]);
