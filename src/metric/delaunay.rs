@@ -18,7 +18,7 @@
 //! Computational Geometry, 2007.
 
 use super::glue::glue;
-use super::{Metric, Scale, area, cotangents};
+use super::{Metric, Scale, acuteness, area};
 use crate::mesh::Mesh;
 use crate::mesh::topology::{next, start};
 use std::collections::VecDeque;
@@ -46,11 +46,10 @@ pub(crate) struct Flips {
 /// Flips the edges of `metric`, which was made from `mesh` with `scale`, until every edge is Delaunay.
 pub(crate) fn make_delaunay(metric: &mut Metric, mesh: &Mesh, scale: Scale) -> Flips {
     let twin = glue(metric, mesh);
-    let cot = metric.lengths.iter().flat_map(|&lengths| cotangents(lengths)).collect();
-    let mut triangulation = Triangulation { metric, twin, cot };
+    let mut triangulation = Triangulation { metric, twin };
     let mut flips = Flips::default();
     let mut stuck = triangulation.flip_all(triangulation.not_delaunay(), &mut flips);
-    if triangulation.has_obtuse_rim() {
+    if triangulation.has_obtuse_rim(mesh) {
         stuck.extend(triangulation.double(mesh, scale, &stuck));
         stuck = triangulation.flip_all(stuck.into(), &mut flips);
         flips.doubled = triangulation.merge_sides();
@@ -64,8 +63,6 @@ pub(super) struct Triangulation<'a> {
     pub(super) metric: &'a mut Metric,
     /// The half-edge on the other side; where it is not glued, a number beyond all half-edges.
     pub(super) twin: Vec<u32>,
-    /// The cotangent of the angle opposite each half-edge.
-    pub(super) cot: Vec<f64>,
 }
 
 impl Triangulation<'_> {
@@ -79,14 +76,36 @@ impl Triangulation<'_> {
 
     /// Whether cot α + cot β ≥ 0 up to rounding; a half-edge that is not glued has no β.
     pub(super) fn is_delaunay(&self, h: u32) -> bool {
-        let (alpha, beta) = (self.cot[h as usize], self.cot.get(self.twin[h as usize] as usize).unwrap_or(&0.0));
-        alpha + beta >= -TIE * (alpha.abs() + beta.abs() + 1.0)
+        let (alpha, beta) =
+            (self.acuteness(h), if self.is_glued(h) { self.acuteness(self.twin[h as usize]) } else { 0.0 });
+        // Most edges need no areas, which cost a root.
+        if alpha >= 0.0 && beta >= 0.0 {
+            return true;
+        }
+        let (a, b) = (self.area(h), if self.is_glued(h) { self.area(self.twin[h as usize]) } else { 1.0 });
+        let (alpha, beta) = (alpha * b, beta * a);
+        alpha + beta >= -TIE * (alpha.abs() + beta.abs() + 4.0 * a * b)
     }
 
-    /// The glued edges that are not Delaunay, each by its smaller half-edge.
+    /// 4 A cot θ for the angle θ opposite `h`.
+    fn acuteness(&self, h: u32) -> f64 {
+        acuteness(self.metric.lengths[(h / 3) as usize], (h % 3) as usize)
+    }
+
+    /// The area A of the triangle of `h`.
+    fn area(&self, h: u32) -> f64 {
+        area(self.metric.lengths[(h / 3) as usize])
+    }
+
+    /// The glued edges that are not Delaunay, each by its smaller half-edge, in ascending order.
     fn not_delaunay(&self) -> VecDeque<u32> {
-        let smaller = (0..).zip(&self.twin).filter(|&(h, &g)| h < g).map(|(h, _)| h);
-        smaller.filter(|&h| self.is_glued(h) && !self.is_delaunay(h)).collect()
+        let halfedges = 0..self.twin.len() as u32; // fits: half-edges of the mesh
+        // One of the two angles is obtuse; most triangles have none, and their neighbours need not be looked at.
+        let glued = halfedges.filter(|&h| self.acuteness(h) < 0.0 && self.is_glued(h) && !self.is_delaunay(h));
+        let mut edges: Vec<u32> = glued.map(|h| h.min(self.twin[h as usize])).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        edges.into()
     }
 
     /// Flips the edges in `queue`, and what these make flip, until all that can flip are Delaunay, and counts the flips.
@@ -95,8 +114,8 @@ impl Triangulation<'_> {
         let most = flips.flips + (FLIPS_PER_EDGE * self.twin.len() / 2) as u64;
         let mut stuck = Vec::new();
         while let Some(h) = queue.pop_front() {
-            // The edge may have become Delaunay since it was queued.
-            if self.is_delaunay(h) {
+            // Since it was queued the edge may have become Delaunay, or the half-edge part of another one.
+            if !self.is_glued(h) || self.is_delaunay(h) {
                 continue;
             }
             if flips.flips == most || !self.flip(h) {
@@ -154,12 +173,10 @@ impl Triangulation<'_> {
 
     /// Fills the triangle of `h`, beginning at `h`.
     fn set_triangle(&mut self, h: u32, corners: [u32; 3], lengths: [f64; 3]) {
-        let cot = cotangents(lengths);
         let f = (h / 3) as usize;
         for (i, x) in [h, next(h), next(next(h))].into_iter().enumerate() {
             self.metric.triangles[f][(x % 3) as usize] = corners[i];
             self.metric.lengths[f][(x % 3) as usize] = lengths[i];
-            self.cot[x as usize] = cot[i];
         }
     }
 
@@ -194,7 +211,7 @@ mod tests {
     }
 
     fn total_area(metric: &Metric) -> f64 {
-        metric.lengths.iter().enumerate().map(|(f, &lengths)| metric.weight(f) * area(lengths)).sum()
+        metric.weighted().map(|(_, lengths, weight)| weight * area(lengths)).sum()
     }
 
     /// The long diagonal of a flat rhombus becomes the short one, whichever way the triangles run.
@@ -252,7 +269,7 @@ mod tests {
     /// Where no angle at the boundary is obtuse all triangles stay single, and else those away from it.
     #[test]
     fn only_what_flips_is_doubled() {
-        let (mut positions, triangles) = sheared(12, -0.3);
+        let (mut positions, triangles) = sheared([12, 12], -0.3);
         let (metric, flips) = flipped(&positions, &triangles);
         assert_eq!((flips.flips, flips.doubled, metric.single), (0, 0, triangles.len()));
         positions[13 + 6][1] = 0.3; // sees the edge below it under an obtuse angle
@@ -264,19 +281,31 @@ mod tests {
     /// A plane of needles: afterwards all is Delaunay, also at the boundary.
     #[test]
     fn needles_become_delaunay() {
-        let (positions, triangles) = sheared(12, 7.3);
+        let (positions, triangles) = sheared([12, 12], 7.3);
         let (_, flips) = flipped(&positions, &triangles);
         assert!(flips.flips > 144 && flips.doubled > 0);
         assert_eq!((flips.stuck, flips.bound_reached), (0, false));
     }
 
-    /// A square of n by n cells, each row shifted by `shear` cells.
-    fn sheared(n: u32, shear: f64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
-        let at = |x: u32, y: u32| y * (n + 1) + x;
-        let positions = (0..=n)
-            .flat_map(|y| (0..=n).map(move |x| [f64::from(x) + shear * f64::from(y), f64::from(y), 0.0]))
+    /// Each edge between two rows would flip about a thousand times.
+    #[test]
+    fn flips_end_at_their_bound() {
+        let (positions, triangles) = sheared([1000, 1], 1000.0);
+        let mesh = Mesh::from_triangles(&positions, &triangles).unwrap();
+        let scale = Scale::of(&mesh);
+        let mut metric = Metric::of(&mesh, scale);
+        let flips = make_delaunay(&mut metric, &mesh, scale);
+        assert!(flips.bound_reached && flips.stuck > 0, "{flips:?}");
+        assert!(metric.lengths.iter().all(|&lengths| area(lengths) > 0.0));
+    }
+
+    /// Cells in columns and rows, each row shifted by `shear` cells.
+    fn sheared([columns, rows]: [u32; 2], shear: f64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+        let at = |x: u32, y: u32| y * (columns + 1) + x;
+        let positions = (0..=rows)
+            .flat_map(|y| (0..=columns).map(move |x| [f64::from(x) + shear * f64::from(y), f64::from(y), 0.0]))
             .collect();
-        let cells = (0..n).flat_map(|y| (0..n).map(move |x| (x, y)));
+        let cells = (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y)));
         let triangles = cells
             .flat_map(|(x, y)| [[at(x, y), at(x + 1, y), at(x + 1, y + 1)], [at(x, y), at(x + 1, y + 1), at(x, y + 1)]])
             .collect();
@@ -286,13 +315,12 @@ mod tests {
     /// However the flips went, twins are each other's twins, run opposite ways and are equally long.
     #[test]
     fn twins_stay_consistent() {
-        let (positions, triangles) = sheared(12, 7.3);
+        let (positions, triangles) = sheared([12, 12], 7.3);
         let mesh = Mesh::from_triangles(&positions, &triangles).unwrap();
         let scale = Scale::of(&mesh);
         let mut metric = Metric::of(&mesh, scale);
         let twin = glue(&mut metric, &mesh);
-        let cot = metric.lengths.iter().flat_map(|&lengths| cotangents(lengths)).collect();
-        let mut triangulation = Triangulation { metric: &mut metric, twin, cot };
+        let mut triangulation = Triangulation { metric: &mut metric, twin };
         let mut flips = Flips::default();
         triangulation.flip_all(triangulation.not_delaunay(), &mut flips);
         let rim = triangulation.double(&mesh, scale, &[]);

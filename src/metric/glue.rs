@@ -15,38 +15,33 @@ use crate::mesh::topology::start;
 /// this one is, so that [`super::tufted`] knows it however the triangles around it change; or `u32::MAX` where that sum
 /// does not fit.
 pub(super) fn glue(metric: &mut Metric, mesh: &Mesh) -> Vec<u32> {
-    let renumbered = renumbering(mesh);
-    if is_oriented(mesh) {
-        return twins(metric, mesh, renumbered);
+    let ignored = mesh.ignored_triangles();
+    // The metric leaves ignored triangles out.
+    let renumbered = |h: u32| h - 3 * ignored.partition_point(|&f| f < h / 3) as u32;
+    let (twin, oriented) = twins(metric, mesh, renumbered);
+    if oriented {
+        return twin;
     }
-    let reversed = reversed(mesh);
-    for f in (0..).zip(&reversed).filter(|(_, reversed)| **reversed).map(|(f, _)| renumbered(3 * f) as usize / 3) {
+    let is_reversed = to_reverse(mesh);
+    for (f, _) in (0..).zip(&is_reversed).filter(|(_, reversed)| **reversed) {
+        let f = (renumbered(3 * f) / 3) as usize;
         metric.triangles[f].swap(1, 2);
         metric.lengths[f].swap(0, 2);
     }
-    twins(metric, mesh, |h| renumbered(if reversed[(h / 3) as usize] { h - h % 3 + (2 - h % 3) } else { h }))
+    twins(metric, mesh, |h| renumbered(if is_reversed[(h / 3) as usize] { reversed(h) } else { h })).0
 }
 
-/// The half-edge of the metric, which leaves ignored triangles out, for one of the mesh.
-fn renumbering(mesh: &Mesh) -> impl Fn(u32) -> u32 + Copy {
-    let ignored = mesh.ignored_triangles();
-    move |h| h - 3 * ignored.partition_point(|&f| f < h / 3) as u32
+/// The number of a half-edge when its triangle names its second and third corner in the other order.
+pub(super) fn reversed(h: u32) -> u32 {
+    h - h % 3 + (2 - h % 3)
 }
 
-/// Whether the triangles on each edge of two run along it in opposite directions.
-fn is_oriented(mesh: &Mesh) -> bool {
-    let halfedges = &mesh.topology().halfedges;
-    let origin = |h| start(mesh.triangles(), h);
-    (0..halfedges.rows()).all(|e| match *halfedges.row(e) {
-        [h, g] => origin(h) != origin(g),
-        _ => true,
-    })
-}
-
-/// The other half-edge of each, `placed` being where the metric has a half-edge of the mesh.
-fn twins(metric: &Metric, mesh: &Mesh, placed: impl Fn(u32) -> u32) -> Vec<u32> {
+/// The other half-edge of each, `placed` telling where the metric has a half-edge of the mesh; and whether, on every edge of
+/// two triangles, these run along it in opposite directions.
+fn twins(metric: &Metric, mesh: &Mesh, placed: impl Fn(u32) -> u32) -> (Vec<u32>, bool) {
     let count = 3 * metric.triangles.len() as u32; // fits: half-edges of the mesh
     let mut twin = vec![0; count as usize];
+    let mut oriented = true;
     let halfedges = &mesh.topology().halfedges;
     for row in (0..halfedges.rows()).map(|e| halfedges.row(e)) {
         if let &[h, g] = row {
@@ -56,14 +51,15 @@ fn twins(metric: &Metric, mesh: &Mesh, placed: impl Fn(u32) -> u32) -> Vec<u32> 
                 twin[g as usize] = h;
                 continue;
             }
+            oriented = false;
         }
         row.iter().for_each(|&h| twin[placed(h) as usize] = count.saturating_add(h));
     }
-    twin
+    (twin, oriented)
 }
 
 /// Which triangles to reverse so that neighbours run the same way round: flood fill over the edges of two triangles.
-fn reversed(mesh: &Mesh) -> Vec<bool> {
+fn to_reverse(mesh: &Mesh) -> Vec<bool> {
     let (triangles, topology) = (mesh.triangles(), mesh.topology());
     let mut reversed = vec![false; triangles.len()];
     let mut seen = vec![false; triangles.len()];

@@ -38,9 +38,10 @@ impl Metric {
         Metric { single: triangles.len(), triangles, lengths }
     }
 
-    /// How much triangle `f` counts: 1, or ½ on one side of the surface.
-    pub(crate) fn weight(&self, f: usize) -> f64 {
-        if f < self.single { 1.0 } else { 0.5 }
+    /// The vertices and edge lengths of each triangle, and how much it counts: 1, or ½ on one side of the surface.
+    pub(crate) fn weighted(&self) -> impl Iterator<Item = ([u32; 3], [f64; 3], f64)> {
+        let weights = std::iter::repeat_n(1.0, self.single).chain(std::iter::repeat(0.5));
+        self.triangles.iter().zip(&self.lengths).zip(weights).map(|((&v, &l), weight)| (v, l, weight))
     }
 }
 
@@ -78,15 +79,18 @@ pub(crate) fn area(lengths: [f64; 3]) -> f64 {
     ((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))).sqrt() / 4.0
 }
 
-/// The cotangent of the angle opposite each edge: (p² + q² - r²) / 4A for the angle between p and q, opposite r.
-pub(crate) fn cotangents(lengths: [f64; 3]) -> [f64; 3] {
-    let four_areas = 4.0 * area(lengths);
-    [0, 1, 2].map(|k| {
-        let (r, p, q) = (lengths[k], lengths[(k + 1) % 3], lengths[(k + 2) % 3]);
-        let (longer, shorter) = (p.max(q), p.min(q));
-        // The difference of squares as a product: at a needle's tip it is the small difference of two large numbers.
-        (shorter * shorter + (longer - r) * (longer + r)) / four_areas
-    })
+/// The cotangent of the angle opposite each edge, for a triangle of this area: (p² + q² - r²) / 4A for the angle between p
+/// and q, opposite r.
+pub(crate) fn cotangents(lengths: [f64; 3], area: f64) -> [f64; 3] {
+    [0, 1, 2].map(|k| acuteness(lengths, k) / (4.0 * area))
+}
+
+/// p² + q² - r² for edge `k` of length r: 4 A cot θ for the angle θ opposite it, below 0 if θ is obtuse.
+pub(crate) fn acuteness(lengths: [f64; 3], k: usize) -> f64 {
+    let (r, p, q) = (lengths[k], lengths[(k + 1) % 3], lengths[(k + 2) % 3]);
+    let (longer, shorter) = (p.max(q), p.min(q));
+    // The difference of squares as a product: at a needle's tip it is the small difference of two large numbers.
+    shorter * shorter + (longer - r) * (longer + r)
 }
 
 /// The power of two that brings a mesh to about unit size.
