@@ -11,21 +11,30 @@ use nalgebra_sparse::pattern::SparsityPattern;
 
 /// The lower triangle of L, with every diagonal entry, for triangles of these areas.
 pub(super) fn stiffness(metric: &Metric, areas: &[f64], vertex_count: usize) -> CscMatrix<f64> {
-    let pattern = pattern(&metric.triangles, vertex_count);
-    let (offsets, rows) = (pattern.major_offsets(), pattern.minor_indices());
-    let mut values = vec![0.0; pattern.nnz()];
+    let (starts, rows) = below_diagonal(&metric.triangles, vertex_count);
+    let mut values = vec![0.0; vertex_count + rows.len()];
+    let mut diagonal = vec![0.0; vertex_count];
     for ((triangle, lengths, weight), &area) in metric.weighted().zip(areas) {
         let cotangents = cotangents(lengths, area);
         for ([column, row], cot) in edges(triangle).into_iter().zip(cotangents).filter(|([i, j], _)| i != j) {
             let half = weight / 2.0 * cot;
-            let diagonal = offsets[column as usize];
-            values[diagonal] += half;
-            values[offsets[row as usize]] += half;
-            let below = &rows[diagonal + 1..offsets[column as usize + 1]];
-            values[diagonal + 1 + below.partition_point(|&r| r < row as usize)] -= half;
+            let (i, j) = (column as usize, row as usize);
+            diagonal[i] += half;
+            diagonal[j] += half;
+            let start = starts[i] as usize;
+            let entry = start + rows[start..starts[i + 1] as usize].partition_point(|&r| r < row);
+            values[entry + i + 1] -= half; // behind the diagonal entries of the columns up to this one
         }
     }
-    CscMatrix::try_from_pattern_and_values(pattern, values).expect("as many values as rows")
+    let offsets: Vec<usize> = starts.iter().enumerate().map(|(column, &start)| start as usize + column).collect();
+    offsets.iter().zip(diagonal).for_each(|(&offset, diagonal)| values[offset] = diagonal);
+    let mut with_diagonal = Vec::with_capacity(values.len());
+    for (column, ends) in starts.windows(2).enumerate() {
+        with_diagonal.push(column);
+        with_diagonal.extend(rows[ends[0] as usize..ends[1] as usize].iter().map(|&row| row as usize));
+    }
+    let pattern = SparsityPattern::try_from_offsets_and_indices(vertex_count, vertex_count, offsets, with_diagonal);
+    CscMatrix::try_from_pattern_and_values(pattern.expect("rows ascend"), values).expect("as many values as rows")
 }
 
 /// The edges of a triangle, from the smaller vertex to the larger: column and row of their entries. An edge from a vertex
@@ -34,33 +43,38 @@ fn edges([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]].map(|[i, j]| [i.min(j), i.max(j)])
 }
 
-/// Columns that begin with their diagonal entry; below it are the neighbours with larger numbers.
-fn pattern(triangles: &[[u32; 3]], vertex_count: usize) -> SparsityPattern {
+/// Where each column begins, and the rows of its entries below the diagonal, ascending: in 32-bit numbers, as the search
+/// for entries is a matter of memory.
+fn below_diagonal(triangles: &[[u32; 3]], vertex_count: usize) -> (Vec<u32>, Vec<u32>) {
     let entries = || triangles.iter().flat_map(|&triangle| edges(triangle)).filter(|[i, j]| i != j);
-    // Where each column ends when every half-edge has an entry of its own: numbers of half-edges, which are 32-bit.
+    // Every half-edge has an entry of its own at first; half-edges have 32-bit numbers.
     let mut ends = vec![0u32; vertex_count + 1];
     entries().for_each(|[column, _]| ends[column as usize + 1] += 1);
     (0..vertex_count).for_each(|column| ends[column + 1] += ends[column]);
-    let mut unsorted = vec![0; ends[vertex_count] as usize];
+    let mut rows = vec![0; ends[vertex_count] as usize];
     for [column, row] in entries() {
         let end = &mut ends[column as usize];
-        unsorted[*end as usize] = row;
+        rows[*end as usize] = row;
         *end += 1;
     }
-    let mut offsets = Vec::with_capacity(vertex_count + 1);
-    let mut rows: Vec<usize> = Vec::with_capacity(vertex_count + unsorted.len());
-    let mut start = 0;
-    for (column, &end) in ends[..vertex_count].iter().enumerate() {
-        let below = &mut unsorted[start..end as usize];
-        below.sort_unstable();
-        offsets.push(rows.len());
-        rows.push(column);
-        rows.extend(below.chunk_by(|x, y| x == y).map(|same| same[0] as usize));
-        start = end as usize;
+    // Sorts each column and moves it to the front, each row once.
+    let mut starts = Vec::with_capacity(vertex_count + 1);
+    let (mut from, mut kept) = (0, 0);
+    for &end in &ends[..vertex_count] {
+        starts.push(kept as u32);
+        let column = from..end as usize;
+        rows[column.clone()].sort_unstable();
+        for i in column.clone() {
+            if i == column.start || rows[i] != rows[kept - 1] {
+                rows[kept] = rows[i];
+                kept += 1;
+            }
+        }
+        from = column.end;
     }
-    offsets.push(rows.len());
-    rows.shrink_to_fit();
-    SparsityPattern::try_from_offsets_and_indices(vertex_count, vertex_count, offsets, rows).expect("rows ascend")
+    starts.push(kept as u32);
+    rows.truncate(kept);
+    (starts, rows)
 }
 
 #[cfg(test)]
