@@ -67,7 +67,10 @@ fn exact(mesh: &Mesh, sources: &[Source]) -> taut::Result<Vec<Vec<f64>>> {
 fn heat(solver: &HeatSolver, formula: TimeFormula, sources: &[Source]) -> taut::Result<Vec<Vec<f64>>> {
     let step = TimeStep::Formula { formula, scale: TimeScale::Paper, factor: 1.0 };
     let solver = solver.with_time_step(&step, &Control::new())?;
-    sources.iter().map(|source| solver.distances(std::slice::from_ref(source), &Control::new())).collect()
+    sources
+        .iter()
+        .map(|source| Ok(solver.field(std::slice::from_ref(source), &Control::new())?.into_distances()))
+        .collect()
 }
 
 /// The raw numbers in a file.

@@ -34,11 +34,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mesh = Mesh::from_triangles(&positions, &triangles)?;
     let solver = HeatSolver::new(&mesh, &HeatOptions::default(), &control)?;
     let setup = start.elapsed();
-    let distances = solver.distances(&sources, &control)?;
+    let distances = solver.field(&sources, &control)?.into_distances();
     let mut solves = Vec::with_capacity(SOLVES);
     for _ in 0..SOLVES {
         let start = ProcessTime::now();
-        solver.distances(&sources, &control)?;
+        solver.field(&sources, &control)?;
         solves.push(start.elapsed());
     }
     solves.sort();

@@ -534,12 +534,20 @@ typedef struct {
     size_t struct_size;
     /** How many edges were flipped; 0 with `TAUT_LAPLACIAN_PLAIN`. */
     uint64_t flips;
-    /** How many edges are not Delaunay although flips should have made them so; 0 with `TAUT_LAPLACIAN_PLAIN`. */
+    /**
+     * How many triangles are there twice, once for each side of the surface, because an edge had to flip near a boundary,
+     * near more than two triangles on an edge, or near the seam of a one-sided surface; 0 with `TAUT_LAPLACIAN_PLAIN`.
+     */
+    uint64_t doubled_triangles;
+    /**
+     * How many edges are not Delaunay in the end, because rounding on needles does not let them flip, or because flips
+     * ended; 0 with `TAUT_LAPLACIAN_PLAIN`.
+     */
     uint64_t stuck_edges;
+    /** 1 if flips were ended by their bound, 50 per edge, before nothing was left to flip; else 0. */
+    uint32_t flip_bound_reached;
     /** 1 if all edges were lengthened a little, because some triangle had (almost) no area; else 0. */
     uint32_t mollified;
-    /** 0. */
-    uint32_t reserved;
     /** Edge lengths, mollification and edge flips. */
     double delaunay_seconds;
     /** The matrices. */

@@ -106,12 +106,16 @@ pub struct taut_heat_report {
     pub struct_size: usize,
     /// How many edges were flipped; 0 with `TAUT_LAPLACIAN_PLAIN`.
     pub flips: u64,
-    /// How many edges are not Delaunay although flips should have made them so; 0 with `TAUT_LAPLACIAN_PLAIN`.
+    /// How many triangles are there twice, once for each side of the surface, because an edge had to flip near a boundary,
+    /// near more than two triangles on an edge, or near the seam of a one-sided surface; 0 with `TAUT_LAPLACIAN_PLAIN`.
+    pub doubled_triangles: u64,
+    /// How many edges are not Delaunay in the end, because rounding on needles does not let them flip, or because flips
+    /// ended; 0 with `TAUT_LAPLACIAN_PLAIN`.
     pub stuck_edges: u64,
+    /// 1 if flips were ended by their bound, 50 per edge, before nothing was left to flip; else 0.
+    pub flip_bound_reached: u32,
     /// 1 if all edges were lengthened a little, because some triangle had (almost) no area; else 0.
     pub mollified: u32,
-    /// 0.
-    pub reserved: u32,
     /// Edge lengths, mollification and edge flips.
     pub delaunay_seconds: f64,
     /// The matrices.
@@ -263,9 +267,10 @@ impl From<HeatReport> for taut_heat_report {
         taut_heat_report {
             struct_size: size_of::<taut_heat_report>(),
             flips: report.flips,
+            doubled_triangles: report.doubled_triangles,
             stuck_edges: report.stuck_edges,
+            flip_bound_reached: u32::from(report.flip_bound_reached),
             mollified: u32::from(report.mollified),
-            reserved: 0,
             delaunay_seconds: times.delaunay.as_secs_f64(),
             assembly_seconds: times.assembly.as_secs_f64(),
             order_seconds: times.order.as_secs_f64(),

@@ -101,9 +101,15 @@ pub struct HeatReport {
     pub mollified: bool,
     /// How many edges were flipped; 0 with [`Laplacian::Plain`].
     pub flips: u64,
-    /// How many edges stayed although they are not Delaunay, because they cannot flip (at a boundary, between more than
-    /// two triangles); near them u may be negative. 0 with [`Laplacian::Plain`], which does not look.
+    /// How many triangles are there twice, once for each side of the surface, because an edge had to flip near a boundary,
+    /// near more than two triangles on an edge, or near the seam of a one-sided surface; 0 with [`Laplacian::Plain`].
+    pub doubled_triangles: u64,
+    /// How many edges are not Delaunay in the end, because rounding on needles does not let them flip, or because flips
+    /// ended; near them u may be negative. An edge of doubled triangles counts once for each side. 0 with
+    /// [`Laplacian::Plain`], which does not look.
     pub stuck_edges: u64,
+    /// Whether flips were ended by their bound, 50 per edge, before nothing was left to flip.
+    pub flip_bound_reached: bool,
     /// How long that took.
     pub times: HeatTimes,
 }

@@ -157,7 +157,7 @@ impl Spread {
                     let share = |k: usize| half * (ends[0].barycentric[k] + ends[1].barycentric[k]);
                     shares.extend((0..3).map(|k| (corners(segment.face)[k], share(k))).filter(|&(_, w)| w > 0.0));
                     for segment in segment.in_triangles(&systems.mesh) {
-                        let position = |v: u32| systems.scale.unit_position(&systems.mesh, v);
+                        let position = |v: u32| systems.unit_position(v);
                         let away = |v: u32| distance_to_segment(position(v), from, to);
                         near.extend(corners(segment.face).map(|v| (v, away(v))));
                     }
@@ -173,11 +173,11 @@ fn near_point(point: &SurfacePoint, systems: &Systems) -> Vec<(u32, f64)> {
     let mesh = &systems.mesh;
     let position = unit_position(point, systems);
     let corners = point.in_triangles(mesh).into_iter().flat_map(|point| mesh.triangles()[point.face as usize]);
-    corners.map(|v| (v, distance(position, systems.scale.unit_position(mesh, v)))).collect()
+    corners.map(|v| (v, distance(position, systems.unit_position(v)))).collect()
 }
 
 fn unit_position(point: &SurfacePoint, systems: &Systems) -> [f64; 3] {
-    let corners = systems.mesh.triangles()[point.face as usize].map(|v| systems.scale.unit_position(&systems.mesh, v));
+    let corners = systems.mesh.triangles()[point.face as usize].map(|v| systems.unit_position(v));
     [0, 1, 2].map(|axis| (0..3).map(|k| point.barycentric[k] * corners[k][axis]).sum())
 }
 
@@ -207,7 +207,7 @@ fn nearest_known(mut known: Vec<Known>, systems: &Systems) -> Vec<Known> {
 
 /// The least distances along edges from what is known, as far as these go (Dijkstra).
 fn distances_along_edges(known: &[Known], systems: &Systems) -> HashMap<u32, f64> {
-    let (mesh, scale) = (&systems.mesh, systems.scale);
+    let mesh = &systems.mesh;
     let mut least: HashMap<u32, f64> = known.iter().map(|known| (known.v, known.value)).collect();
     // The bits of numbers from 0 on are ordered as the numbers are.
     let mut queue: BinaryHeap<Reverse<(u64, u32)>> =
@@ -220,7 +220,7 @@ fn distances_along_edges(known: &[Known], systems: &Systems) -> HashMap<u32, f64
         }
         let corners = mesh.topology().corners.row(v).iter();
         for u in corners.flat_map(|&h| [next(h), prev(h)]).map(|h| start(mesh.triangles(), h)) {
-            let to_u = to_v + distance(scale.unit_position(mesh, v), scale.unit_position(mesh, u));
+            let to_u = to_v + distance(systems.unit_position(v), systems.unit_position(u));
             if to_u <= farthest && least.get(&u).is_none_or(|&least| to_u < least) {
                 least.insert(u, to_u);
                 queue.push(Reverse((to_u.to_bits(), u)));

@@ -53,7 +53,7 @@ impl Systems {
         let mut metric = Metric::of(mesh, scale);
         let mollified = mollify::mollify(&mut metric);
         let flips = match options.laplacian {
-            Laplacian::Intrinsic => delaunay::make_delaunay(&mut metric, mesh),
+            Laplacian::Intrinsic => delaunay::make_delaunay(&mut metric, mesh, scale),
             Laplacian::Plain => delaunay::Flips::default(),
         };
         times.delaunay = watch.lap();
@@ -78,10 +78,22 @@ impl Systems {
         let poisson = symbolic.factor(&grounded(&operators, mesh, &unused))?;
         times.poisson = watch.lap();
         control.checkpoint(0.7)?;
-        let report = HeatReport { mollified, flips: flips.flips, stuck_edges: flips.stuck, times };
+        let report = HeatReport {
+            mollified,
+            flips: flips.flips,
+            doubled_triangles: flips.doubled,
+            stuck_edges: flips.stuck,
+            flip_bound_reached: flips.bound_reached,
+            times,
+        };
         let on_boundary = boundary::boundary_vertices(mesh);
         let (mesh, options) = (mesh.clone(), *options);
         Ok(Systems { mesh, scale, options, report, operators, unused, on_boundary, symbolic, poisson })
+    }
+
+    /// Where a vertex is, in units.
+    pub(super) fn unit_position(&self, v: u32) -> [f64; 3] {
+        self.scale.unit_position(self.mesh.positions()[v as usize])
     }
 
     /// M + t L, with u = 0 on the boundary if that is asked for; t in units squared.

@@ -76,9 +76,12 @@ impl Topology {
     pub(crate) fn new(vertex_count: usize, triangles: &[[u32; 3]]) -> Topology {
         let origins = triangles.iter().flat_map(|t| if repeats_index(t) { [NONE; 3] } else { *t });
         let corners = Csr::sorted(vertex_count, origins);
-        let (edge_of, edges) = edges(vertex_count, triangles);
-        let halfedges = Csr::sorted(edges.len(), edge_of.iter().copied());
-        let (component, component_count) = components(triangles, &corners);
+        let (edges, halfedges) = edges(triangles, &corners);
+        let mut edge_of = vec![NONE; 3 * triangles.len()];
+        for e in 0..halfedges.rows() {
+            halfedges.row(e).iter().for_each(|&h| edge_of[h as usize] = e);
+        }
+        let (component, component_count) = components(&edges, &corners);
         Topology { edge_of, edges, halfedges, corners, component, component_count }
     }
 
@@ -103,50 +106,58 @@ pub(crate) fn start(triangles: &[[u32; 3]], h: u32) -> u32 {
     triangles[(h / 3) as usize][(h % 3) as usize]
 }
 
-/// Numbers the edges by their smaller end, then by the larger: (edge of each half-edge, ends of each edge).
-fn edges(vertex_count: usize, triangles: &[[u32; 3]]) -> (Vec<u32>, Vec<[u32; 2]>) {
-    let lower_ends = triangles.iter().flat_map(|t| match repeats_index(t) {
-        true => [NONE; 3],
-        false => [t[0].min(t[1]), t[1].min(t[2]), t[2].min(t[0])],
-    });
-    let by_lower_end = Csr::sorted(vertex_count, lower_ends);
-    let mut edge_of = vec![NONE; 3 * triangles.len()];
-    let mut edges: Vec<[u32; 2]> = Vec::with_capacity(by_lower_end.items.len() / 2);
-    let mut at_vertex: Vec<(u32, u32)> = Vec::new();
-    for v in 0..by_lower_end.rows() {
+/// Numbers the edges by their smaller end, then by the larger: (ends of each edge, half-edges on each edge).
+fn edges(triangles: &[[u32; 3]], corners: &Csr) -> (Vec<[u32; 2]>, Csr) {
+    let mut edges = Vec::with_capacity(corners.items.len());
+    let mut starts = Vec::with_capacity(corners.items.len() + 1);
+    let mut items = Vec::with_capacity(corners.items.len());
+    // The larger end and the half-edge of each edge at a vertex, as one number.
+    let mut at_vertex: Vec<u64> = Vec::new();
+    for v in 0..corners.rows() {
         at_vertex.clear();
-        at_vertex.extend(by_lower_end.row(v).iter().map(|&h| (start(triangles, h).max(start(triangles, next(h))), h)));
+        for &h in corners.row(v) {
+            let (to, from) = (start(triangles, next(h)), start(triangles, prev(h)));
+            let sides = [(to, h), (from, prev(h))].into_iter().filter(|&(end, _)| end > v);
+            at_vertex.extend(sides.map(|(end, h)| u64::from(end) << 32 | u64::from(h)));
+        }
         at_vertex.sort_unstable();
-        for &(upper, h) in &at_vertex {
-            if edges.last() != Some(&[v, upper]) {
-                edges.push([v, upper]);
-            }
-            edge_of[h as usize] = (edges.len() - 1) as u32; // fits: there are no more edges than half-edges
+        for of_edge in at_vertex.chunk_by(|x, y| x >> 32 == y >> 32) {
+            edges.push([v, (of_edge[0] >> 32) as u32]);
+            starts.push(items.len() as u32); // fits: numbers of half-edges
+            items.extend(of_edge.iter().map(|&side| side as u32)); // the lower half
         }
     }
-    (edge_of, edges)
+    starts.push(items.len() as u32);
+    edges.shrink_to_fit();
+    starts.shrink_to_fit();
+    (edges, Csr { start: starts, items })
 }
 
-/// Flood fill over shared vertices, numbered by their smallest vertex: (component of each vertex, count).
-fn components(triangles: &[[u32; 3]], corners: &Csr) -> (Vec<u32>, u32) {
-    let mut component = vec![NONE; corners.rows() as usize];
+/// Joins the ends of edges, and numbers the components by their smallest vertex: (component of each vertex, count).
+fn components(edges: &[[u32; 2]], corners: &Csr) -> (Vec<u32>, u32) {
+    // A smaller vertex of the same component, or itself.
+    let mut below: Vec<u32> = (0..corners.rows()).collect();
+    for ends in edges {
+        let [a, b] = ends.map(|v| smallest(&mut below, v));
+        below[a.max(b) as usize] = a.min(b);
+    }
     let mut count = 0;
-    let mut stack = Vec::new();
-    for seed in 0..corners.rows() {
-        if component[seed as usize] != NONE || corners.row(seed).is_empty() {
-            continue;
+    let mut component = vec![NONE; below.len()];
+    for v in (0..corners.rows()).filter(|&v| !corners.row(v).is_empty()) {
+        let root = smallest(&mut below, v);
+        if root == v {
+            count += 1;
         }
-        component[seed as usize] = count;
-        stack.push(seed);
-        while let Some(v) = stack.pop() {
-            for &u in corners.row(v).iter().flat_map(|&h| &triangles[(h / 3) as usize]) {
-                if component[u as usize] == NONE {
-                    component[u as usize] = count;
-                    stack.push(u);
-                }
-            }
-        }
-        count += 1;
+        component[v as usize] = if root == v { count - 1 } else { component[root as usize] };
     }
     (component, count)
+}
+
+/// Follows `below` to its end, and halves the way for the next time.
+fn smallest(below: &mut [u32], mut v: u32) -> u32 {
+    while below[v as usize] != v {
+        below[v as usize] = below[below[v as usize] as usize];
+        v = below[v as usize];
+    }
+    v
 }

@@ -5,9 +5,10 @@
 //! not, it is replaced by the other diagonal of its two triangles laid out flat. This ends (Bobenko, Springborn), in
 //! practice after fewer flips than there are edges; rounding on needles could make it go on, so flips are bounded.
 //!
-//! Triangles are glued by half-edges, not by vertex pairs: self-edges and multiple edges are ordinary. An edge is glued
-//! if exactly two triangles lie on it and they can be oriented alike; boundaries, edges with three or more triangles
-//! and the seam that remains in a one-sided surface cannot flip.
+//! Triangles are glued by half-edges, not by vertex pairs ([`super::glue`]): self-edges and multiple edges are ordinary.
+//! An edge that is not glued (at a boundary, between three or more triangles, along the seam of a one-sided surface)
+//! cannot flip. Where one of them should, the triangulation is doubled, so that every edge can ([`super::tufted`]).
+//! What is left are edges that rounding on needles does not let flip, and those beyond the bound.
 //!
 //! O(F) time per sweep over the edges; typically one or two.
 //!
@@ -16,9 +17,10 @@
 //! A. I. Bobenko, B. A. Springborn: A Discrete Laplace-Beltrami Operator for Simplicial Surfaces. Discrete &
 //! Computational Geometry, 2007.
 
-use super::{Metric, area, cotangents};
+use super::glue::glue;
+use super::{Metric, Scale, acuteness, area};
 use crate::mesh::Mesh;
-use crate::mesh::topology::{NONE, next, start};
+use crate::mesh::topology::{next, start};
 use std::collections::VecDeque;
 
 /// An edge flips if cot α + cot β is below minus this share of |cot α| + |cot β| + 1, so that ties of four points on a
@@ -33,88 +35,34 @@ const FLIPS_PER_EDGE: usize = 50;
 pub(crate) struct Flips {
     /// How many edges were flipped.
     pub(crate) flips: u64,
-    /// How many edges are not Delaunay but cannot flip. An edge that is not glued counts once for each triangle on it
-    /// whose opposite angle is obtuse.
+    /// How many triangles are there twice, one for each side of the surface.
+    pub(crate) doubled: u64,
+    /// How many edges are not Delaunay in the end; an edge of doubled triangles counts once for each side.
     pub(crate) stuck: u64,
+    /// Whether the flips ended by their bound, not because nothing was left to flip.
+    pub(crate) bound_reached: bool,
 }
 
-/// Flips the edges of `metric`, which was made from `mesh`, until every edge that can flip is Delaunay.
-pub(crate) fn make_delaunay(metric: &mut Metric, mesh: &Mesh) -> Flips {
+/// Flips the edges of `metric`, which was made from `mesh` with `scale`, until every edge is Delaunay.
+pub(crate) fn make_delaunay(metric: &mut Metric, mesh: &Mesh, scale: Scale) -> Flips {
     let twin = glue(metric, mesh);
-    let cot = metric.lengths.iter().flat_map(|&lengths| cotangents(lengths)).collect();
-    let mut triangulation = Triangulation { metric, twin, cot };
-    let flips = triangulation.flip_all();
-    let halfedges = 0..triangulation.twin.len() as u32; // fits: half-edges of the mesh
-    // A glued edge is counted at its smaller half-edge; NONE is greater than any.
-    let stuck = halfedges.filter(|&h| triangulation.twin[h as usize] > h && !triangulation.is_delaunay(h)).count();
-    Flips { flips, stuck: stuck as u64 }
-}
-
-/// Orients the triangles alike as far as they can be, and returns the half-edge on the other side of each half-edge,
-/// which then runs the opposite way; NONE where there is none.
-fn glue(metric: &mut Metric, mesh: &Mesh) -> Vec<u32> {
-    let pairs = pairs(mesh);
-    let reversed = reversed(metric, &pairs);
-    for (f, _) in reversed.iter().enumerate().filter(|&(_, &reversed)| reversed) {
-        metric.triangles[f].swap(1, 2);
-        metric.lengths[f].swap(0, 2);
+    let mut triangulation = Triangulation { metric, twin };
+    let mut flips = Flips::default();
+    let mut stuck = triangulation.flip_all(triangulation.not_delaunay(), &mut flips);
+    if triangulation.has_obtuse_rim(mesh) {
+        stuck.extend(triangulation.double(mesh, scale, &stuck));
+        stuck = triangulation.flip_all(stuck.into(), &mut flips);
+        flips.doubled = triangulation.merge_sides();
     }
-    let moved = |h: u32| if reversed[(h / 3) as usize] { h - h % 3 + (2 - h % 3) } else { h };
-    let mut twin = vec![NONE; 3 * metric.triangles.len()];
-    for [h, g] in pairs.iter().map(|pair| pair.map(moved)) {
-        if start(&metric.triangles, h) != start(&metric.triangles, g) {
-            twin[h as usize] = g;
-            twin[g as usize] = h;
-        }
-    }
-    twin
-}
-
-/// The two half-edges of every edge that has exactly two, numbered as in the metric, which leaves ignored triangles out.
-fn pairs(mesh: &Mesh) -> Vec<[u32; 2]> {
-    let halfedges = &mesh.topology().halfedges;
-    let ignored = mesh.ignored_triangles();
-    let renumbered = |h: u32| h - 3 * ignored.partition_point(|&f| f < h / 3) as u32;
-    let two = (0..halfedges.rows()).filter_map(|e| <[u32; 2]>::try_from(halfedges.row(e)).ok());
-    two.map(|pair| pair.map(renumbered)).collect()
-}
-
-/// Which triangles to reverse so that neighbours run the same way round: flood fill over the pairs.
-fn reversed(metric: &Metric, pairs: &[[u32; 2]]) -> Vec<bool> {
-    let triangles = &metric.triangles;
-    let mut across = vec![NONE; 3 * triangles.len()];
-    for &[h, g] in pairs {
-        across[h as usize] = g;
-        across[g as usize] = h;
-    }
-    let mut reversed = vec![false; triangles.len()];
-    let mut seen = vec![false; triangles.len()];
-    let mut stack = Vec::new();
-    for seed in 0..triangles.len() as u32 {
-        if !std::mem::replace(&mut seen[seed as usize], true) {
-            stack.push(seed);
-        }
-        while let Some(f) = stack.pop() {
-            for h in 3 * f..3 * f + 3 {
-                let g = across[h as usize];
-                if g != NONE && !std::mem::replace(&mut seen[(g / 3) as usize], true) {
-                    let same_way = start(triangles, h) == start(triangles, g);
-                    reversed[(g / 3) as usize] = reversed[f as usize] ^ same_way;
-                    stack.push(g / 3);
-                }
-            }
-        }
-    }
-    reversed
+    flips.stuck = stuck.len() as u64;
+    flips
 }
 
 /// A triangulation whose edges can flip.
-struct Triangulation<'a> {
-    metric: &'a mut Metric,
-    /// The half-edge on the other side, or NONE.
-    twin: Vec<u32>,
-    /// The cotangent of the angle opposite each half-edge.
-    cot: Vec<f64>,
+pub(super) struct Triangulation<'a> {
+    pub(super) metric: &'a mut Metric,
+    /// The half-edge on the other side; where it is not glued, a number beyond all half-edges.
+    pub(super) twin: Vec<u32>,
 }
 
 impl Triangulation<'_> {
@@ -122,29 +70,70 @@ impl Triangulation<'_> {
         self.metric.lengths[(h / 3) as usize][(h % 3) as usize]
     }
 
-    /// Whether cot α + cot β ≥ 0 up to rounding; a half-edge that is not glued has no β.
-    fn is_delaunay(&self, h: u32) -> bool {
-        let (alpha, beta) = (self.cot[h as usize], self.cot.get(self.twin[h as usize] as usize).unwrap_or(&0.0));
-        alpha + beta >= -TIE * (alpha.abs() + beta.abs() + 1.0)
+    fn is_glued(&self, h: u32) -> bool {
+        (self.twin[h as usize] as usize) < self.twin.len()
     }
 
-    /// Flips until no glued edge that can flip is left that is not Delaunay; returns the number of flips.
-    fn flip_all(&mut self) -> u64 {
-        let halfedges = self.twin.len() as u32; // fits: half-edges of the mesh
-        let glued = |&h: &u32| self.twin[h as usize] != NONE && self.twin[h as usize] > h;
-        let mut queue: VecDeque<u32> = (0..halfedges).filter(glued).filter(|&h| !self.is_delaunay(h)).collect();
-        let most = FLIPS_PER_EDGE * self.twin.len() / 2;
-        let mut flips = 0;
-        while let Some(h) = queue.pop_front() {
-            // The edge may have become Delaunay since it was queued.
-            if flips < most && !self.is_delaunay(h) && self.flip(h) {
-                flips += 1;
-                let g = self.twin[h as usize];
-                let around = [next(h), next(next(h)), next(g), next(next(g))];
-                queue.extend(around.iter().filter(|&&x| self.twin[x as usize] != NONE && !self.is_delaunay(x)));
-            }
+    /// Whether cot α + cot β ≥ 0 up to rounding; a half-edge that is not glued has no β.
+    pub(super) fn is_delaunay(&self, h: u32) -> bool {
+        let (alpha, beta) =
+            (self.acuteness(h), if self.is_glued(h) { self.acuteness(self.twin[h as usize]) } else { 0.0 });
+        // Most edges need no areas, which cost a root.
+        if alpha >= 0.0 && beta >= 0.0 {
+            return true;
         }
-        flips as u64
+        let (a, b) = (self.area(h), if self.is_glued(h) { self.area(self.twin[h as usize]) } else { 1.0 });
+        let (alpha, beta) = (alpha * b, beta * a);
+        alpha + beta >= -TIE * (alpha.abs() + beta.abs() + 4.0 * a * b)
+    }
+
+    /// 4 A cot θ for the angle θ opposite `h`.
+    fn acuteness(&self, h: u32) -> f64 {
+        acuteness(self.metric.lengths[(h / 3) as usize], (h % 3) as usize)
+    }
+
+    /// The area A of the triangle of `h`.
+    fn area(&self, h: u32) -> f64 {
+        area(self.metric.lengths[(h / 3) as usize])
+    }
+
+    /// The glued edges that are not Delaunay, each by its smaller half-edge, in ascending order.
+    fn not_delaunay(&self) -> VecDeque<u32> {
+        let halfedges = 0..self.twin.len() as u32; // fits: half-edges of the mesh
+        // One of the two angles is obtuse; most triangles have none, and their neighbours need not be looked at.
+        let glued = halfedges.filter(|&h| self.acuteness(h) < 0.0 && self.is_glued(h) && !self.is_delaunay(h));
+        let mut edges: Vec<u32> = glued.map(|h| h.min(self.twin[h as usize])).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        edges.into()
+    }
+
+    /// Flips the edges in `queue`, and what these make flip, until all that can flip are Delaunay, and counts the flips.
+    /// Returns the glued edges that are not Delaunay then, each by its smaller half-edge.
+    fn flip_all(&mut self, mut queue: VecDeque<u32>, flips: &mut Flips) -> Vec<u32> {
+        let most = flips.flips + (FLIPS_PER_EDGE * self.twin.len() / 2) as u64;
+        let mut stuck = Vec::new();
+        while let Some(h) = queue.pop_front() {
+            // Since it was queued the edge may have become Delaunay, or the half-edge part of another one.
+            if !self.is_glued(h) || self.is_delaunay(h) {
+                continue;
+            }
+            if flips.flips == most || !self.flip(h) {
+                flips.bound_reached |= flips.flips == most;
+                stuck.push(h);
+                continue;
+            }
+            flips.flips += 1;
+            let g = self.twin[h as usize];
+            let around = [next(h), next(next(h)), next(g), next(next(g))];
+            queue.extend(around.iter().filter(|&&x| self.is_glued(x) && !self.is_delaunay(x)));
+        }
+        // The half-edges may belong to other edges by now, which were queued when these came to be.
+        stuck.iter_mut().for_each(|h| *h = self.twin[*h as usize].min(*h));
+        stuck.sort_unstable();
+        stuck.dedup();
+        stuck.retain(|&h| self.is_glued(h) && !self.is_delaunay(h));
+        stuck
     }
 
     /// Replaces edge a b, between triangles a b c and b a d, by c d, where both new triangles are proper.
@@ -184,12 +173,10 @@ impl Triangulation<'_> {
 
     /// Fills the triangle of `h`, beginning at `h`.
     fn set_triangle(&mut self, h: u32, corners: [u32; 3], lengths: [f64; 3]) {
-        let cot = cotangents(lengths);
         let f = (h / 3) as usize;
         for (i, x) in [h, next(h), next(next(h))].into_iter().enumerate() {
             self.metric.triangles[f][(x % 3) as usize] = corners[i];
             self.metric.lengths[f][(x % 3) as usize] = lengths[i];
-            self.cot[x as usize] = cot[i];
         }
     }
 
@@ -201,8 +188,8 @@ impl Triangulation<'_> {
         });
         for ((_, new), twin) in moves.into_iter().zip(twins) {
             self.twin[new as usize] = twin;
-            if twin != NONE {
-                self.twin[twin as usize] = new;
+            if let Some(back) = self.twin.get_mut(twin as usize) {
+                *back = new;
             }
         }
     }
@@ -215,15 +202,16 @@ mod tests {
 
     fn flipped(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> (Metric, Flips) {
         let mesh = Mesh::from_triangles(positions, triangles).unwrap();
-        let mut metric = Metric::of(&mesh, Scale::of(&mesh));
+        let scale = Scale::of(&mesh);
+        let mut metric = Metric::of(&mesh, scale);
         let before = total_area(&metric);
-        let flips = make_delaunay(&mut metric, &mesh);
+        let flips = make_delaunay(&mut metric, &mesh, scale);
         assert!((total_area(&metric) - before).abs() < 1e-12 * before);
         (metric, flips)
     }
 
     fn total_area(metric: &Metric) -> f64 {
-        metric.lengths.iter().map(|&lengths| area(lengths)).sum()
+        metric.weighted().map(|(_, lengths, weight)| weight * area(lengths)).sum()
     }
 
     /// The long diagonal of a flat rhombus becomes the short one, whichever way the triangles run.
@@ -252,40 +240,99 @@ mod tests {
         assert!(metric.triangles.iter().all(|&[a, b, c]| a == b || b == c || c == a));
     }
 
+    /// The obtuse triangle a b c over its own other side: a b flips to an edge from c to c, twice the height long.
     #[test]
-    fn edges_of_boundaries_and_of_three_triangles_stay() {
-        let positions = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, -0.1, 0.0], [0.0, 0.0, 0.1]];
-        let (_, flips) = flipped(&positions, &[[0, 1, 2]]);
-        assert_eq!((flips.flips, flips.stuck), (0, 1));
-        let (_, flips) = flipped(&positions, &[[0, 1, 2], [1, 0, 3], [0, 1, 4]]);
-        assert_eq!((flips.flips, flips.stuck), (0, 3));
+    fn a_boundary_edge_flips_on_the_cover() {
+        let positions = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.25, 0.0]];
+        let (metric, flips) = flipped(&positions, &[[0, 1, 2]]);
+        assert_eq!(flips, Flips { flips: 1, doubled: 1, stuck: 0, bound_reached: false });
+        assert_eq!((metric.single, metric.triangles.len()), (0, 2));
+        let mut corners = metric.triangles.clone();
+        corners.iter_mut().for_each(|triangle| triangle.sort_unstable());
+        corners.sort_unstable();
+        assert_eq!(corners, [[0, 2, 2], [1, 2, 2]]);
+        let shortest = metric.lengths.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+        assert!((shortest - 0.25).abs() < 1e-15); // 0.5 mesh units; one unit is 2
     }
 
-    /// A plane sheared to needles: afterwards all is Delaunay but at the boundary.
+    /// Three obtuse triangles on their long edge: between each two of them it flips.
+    #[test]
+    fn an_edge_of_three_triangles_flips_on_the_cover() {
+        let positions = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, -0.1, 0.0], [0.0, 0.0, 0.1]];
+        for triangles in [[[0, 1, 2], [1, 0, 3], [0, 1, 4]], [[2, 1, 0], [4, 1, 0], [3, 1, 0]]] {
+            let (metric, flips) = flipped(&positions, &triangles);
+            assert_eq!(flips, Flips { flips: 3, doubled: 3, stuck: 0, bound_reached: false });
+            assert!(metric.triangles.iter().all(|corners| !(corners.contains(&0) && corners.contains(&1))));
+        }
+    }
+
+    /// Where no angle at the boundary is obtuse all triangles stay single, and else those away from it.
+    #[test]
+    fn only_what_flips_is_doubled() {
+        let (mut positions, triangles) = sheared([12, 12], -0.3);
+        let (metric, flips) = flipped(&positions, &triangles);
+        assert_eq!((flips.flips, flips.doubled, metric.single), (0, 0, triangles.len()));
+        positions[13 + 6][1] = 0.3; // sees the edge below it under an obtuse angle
+        let (metric, flips) = flipped(&positions, &triangles);
+        assert!(flips.doubled > 0 && flips.doubled < 4, "{flips:?}");
+        assert_eq!(metric.triangles.len(), triangles.len() + flips.doubled as usize);
+    }
+
+    /// A plane of needles: afterwards all is Delaunay, also at the boundary.
     #[test]
     fn needles_become_delaunay() {
-        let n = 12u32;
-        let at = |x: u32, y: u32| y * (n + 1) + x;
-        let positions: Vec<[f64; 3]> = (0..=n)
-            .flat_map(|y| (0..=n).map(move |x| [f64::from(x) + 7.3 * f64::from(y), f64::from(y), 0.0]))
+        let (positions, triangles) = sheared([12, 12], 7.3);
+        let (_, flips) = flipped(&positions, &triangles);
+        assert!(flips.flips > 144 && flips.doubled > 0);
+        assert_eq!((flips.stuck, flips.bound_reached), (0, false));
+    }
+
+    /// Each edge between two rows would flip about a thousand times.
+    #[test]
+    fn flips_end_at_their_bound() {
+        let (positions, triangles) = sheared([1000, 1], 1000.0);
+        let mesh = Mesh::from_triangles(&positions, &triangles).unwrap();
+        let scale = Scale::of(&mesh);
+        let mut metric = Metric::of(&mesh, scale);
+        let flips = make_delaunay(&mut metric, &mesh, scale);
+        assert!(flips.bound_reached && flips.stuck > 0, "{flips:?}");
+        assert!(metric.lengths.iter().all(|&lengths| area(lengths) > 0.0));
+    }
+
+    /// Cells in columns and rows, each row shifted by `shear` cells.
+    fn sheared([columns, rows]: [u32; 2], shear: f64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+        let at = |x: u32, y: u32| y * (columns + 1) + x;
+        let positions = (0..=rows)
+            .flat_map(|y| (0..=columns).map(move |x| [f64::from(x) + shear * f64::from(y), f64::from(y), 0.0]))
             .collect();
-        let cells = (0..n).flat_map(|y| (0..n).map(move |x| (x, y)));
-        let triangles: Vec<[u32; 3]> = cells
+        let cells = (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y)));
+        let triangles = cells
             .flat_map(|(x, y)| [[at(x, y), at(x + 1, y), at(x + 1, y + 1)], [at(x, y), at(x + 1, y + 1), at(x, y + 1)]])
             .collect();
+        (positions, triangles)
+    }
+
+    /// However the flips went, twins are each other's twins, run opposite ways and are equally long.
+    #[test]
+    fn twins_stay_consistent() {
+        let (positions, triangles) = sheared([12, 12], 7.3);
         let mesh = Mesh::from_triangles(&positions, &triangles).unwrap();
-        let mut metric = Metric::of(&mesh, Scale::of(&mesh));
+        let scale = Scale::of(&mesh);
+        let mut metric = Metric::of(&mesh, scale);
         let twin = glue(&mut metric, &mesh);
-        let cot = metric.lengths.iter().flat_map(|&lengths| cotangents(lengths)).collect();
-        let mut triangulation = Triangulation { metric: &mut metric, twin, cot };
-        assert!(triangulation.flip_all() > u64::from(n * n));
+        let mut triangulation = Triangulation { metric: &mut metric, twin };
+        let mut flips = Flips::default();
+        triangulation.flip_all(triangulation.not_delaunay(), &mut flips);
+        let rim = triangulation.double(&mesh, scale, &[]);
+        assert!(triangulation.flip_all(rim.into(), &mut flips).is_empty());
+        assert_eq!(triangulation.twin.len(), 6 * triangles.len());
         for h in 0..triangulation.twin.len() as u32 {
             let g = triangulation.twin[h as usize];
-            if g != NONE {
-                assert!(triangulation.is_delaunay(h));
-                assert_eq!(triangulation.twin[g as usize], h);
-                assert_eq!(triangulation.length(g), triangulation.length(h));
-            }
+            let [from, to] = [h, next(h)].map(|x| start(&triangulation.metric.triangles, x));
+            assert_eq!([next(g), g].map(|x| start(&triangulation.metric.triangles, x)), [from, to]);
+            assert_eq!(triangulation.twin[g as usize], h);
+            assert_eq!(triangulation.length(g), triangulation.length(h));
+            assert!(triangulation.is_delaunay(h));
         }
     }
 }

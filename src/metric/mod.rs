@@ -1,11 +1,14 @@
 //! Lengths on a mesh, in units that make them about 1: everything after this needs only edge lengths.
 //!
 //! [`Metric`] holds triangles and their edge lengths, [`mollify`] makes every triangle proper, [`delaunay`] flips edges
-//! until the triangulation is intrinsically Delaunay, [`stats`] describes the edges of the input.
+//! until the triangulation is intrinsically Delaunay, on both sides of the surface where need be ([`glue`], [`tufted`]),
+//! [`stats`] describes the edges of the input.
 
 pub(crate) mod delaunay;
+mod glue;
 pub(crate) mod mollify;
 pub(crate) mod stats;
+mod tufted;
 
 use crate::mesh::Mesh;
 
@@ -19,6 +22,8 @@ pub(crate) struct Metric {
     pub(crate) triangles: Vec<[u32; 3]>,
     /// Lengths of its three half-edges.
     pub(crate) lengths: Vec<[f64; 3]>,
+    /// How many triangles count in full. Those after them count half: they lie on one side of the surface only.
+    pub(crate) single: usize,
 }
 
 impl Metric {
@@ -30,7 +35,13 @@ impl Metric {
         let positions = scale.unit_positions(mesh);
         let length = |a: u32, b: u32| distance(positions[a as usize], positions[b as usize]);
         let lengths = triangles.iter().map(|&[a, b, c]| [length(a, b), length(b, c), length(c, a)]).collect();
-        Metric { triangles, lengths }
+        Metric { single: triangles.len(), triangles, lengths }
+    }
+
+    /// The vertices and edge lengths of each triangle, and how much it counts: 1, or ½ on one side of the surface.
+    pub(crate) fn weighted(&self) -> impl Iterator<Item = ([u32; 3], [f64; 3], f64)> {
+        let weights = std::iter::repeat_n(1.0, self.single).chain(std::iter::repeat(0.5));
+        self.triangles.iter().zip(&self.lengths).zip(weights).map(|((&v, &l), weight)| (v, l, weight))
     }
 }
 
@@ -68,15 +79,18 @@ pub(crate) fn area(lengths: [f64; 3]) -> f64 {
     ((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))).sqrt() / 4.0
 }
 
-/// The cotangent of the angle opposite each edge: (p² + q² - r²) / 4A for the angle between p and q, opposite r.
-pub(crate) fn cotangents(lengths: [f64; 3]) -> [f64; 3] {
-    let four_areas = 4.0 * area(lengths);
-    [0, 1, 2].map(|k| {
-        let (r, p, q) = (lengths[k], lengths[(k + 1) % 3], lengths[(k + 2) % 3]);
-        let (longer, shorter) = (p.max(q), p.min(q));
-        // The difference of squares as a product: at a needle's tip it is the small difference of two large numbers.
-        (shorter * shorter + (longer - r) * (longer + r)) / four_areas
-    })
+/// The cotangent of the angle opposite each edge, for a triangle of this area: (p² + q² - r²) / 4A for the angle between p
+/// and q, opposite r.
+pub(crate) fn cotangents(lengths: [f64; 3], area: f64) -> [f64; 3] {
+    [0, 1, 2].map(|k| acuteness(lengths, k) / (4.0 * area))
+}
+
+/// p² + q² - r² for edge `k` of length r: 4 A cot θ for the angle θ opposite it, below 0 if θ is obtuse.
+pub(crate) fn acuteness(lengths: [f64; 3], k: usize) -> f64 {
+    let (r, p, q) = (lengths[k], lengths[(k + 1) % 3], lengths[(k + 2) % 3]);
+    let (longer, shorter) = (p.max(q), p.min(q));
+    // The difference of squares as a product: at a needle's tip it is the small difference of two large numbers.
+    shorter * shorter + (longer - r) * (longer + r)
 }
 
 /// The power of two that brings a mesh to about unit size.
@@ -113,19 +127,15 @@ impl Scale {
         times_power_of_two(length, -self.exponent)
     }
 
+    /// A position of the mesh in units.
+    pub(crate) fn unit_position(self, position: [f64; 3]) -> [f64; 3] {
+        // A coordinate that overflows is too far out for its neighbours to differ from it: all are clamped to the same.
+        position.map(|x| self.to_unit(x).clamp(-f64::MAX, f64::MAX))
+    }
+
     /// The position of each vertex in units.
     pub(crate) fn unit_positions(self, mesh: &Mesh) -> Vec<[f64; 3]> {
-        mesh.positions().iter().map(|&position| self.position(position)).collect()
-    }
-
-    /// The position of a vertex in units.
-    pub(crate) fn unit_position(self, mesh: &Mesh, v: u32) -> [f64; 3] {
-        self.position(mesh.positions()[v as usize])
-    }
-
-    /// A coordinate that overflows is too far out for its neighbours to differ from it: all are clamped to the same.
-    fn position(self, position: [f64; 3]) -> [f64; 3] {
-        position.map(|x| self.to_unit(x).clamp(-f64::MAX, f64::MAX))
+        mesh.positions().iter().map(|&position| self.unit_position(position)).collect()
     }
 
     /// A length in units as a length of the mesh.

@@ -1,32 +1,37 @@
-//! The gradient per triangle, and the divergence of the normalised field X = -∇u / |∇u|.
+//! The direction X = -∇u / |∇u| on each triangle, and its integrated divergence.
 //!
-//! The divergence integrated around vertex i is Σ ½ (cot θ₁ (e₁ · X) + cot θ₂ (e₂ · X)) over its triangles, where e₁, e₂
-//! are the edges that leave i and θ₁, θ₂ the angles opposite them. The field X is constant on a triangle, and along an
-//! edge e from i to j of it ∇u · e = u_j - u_i; so e · X = (u_i - u_j) / |∇u|, and of the gradient only its length is
-//! needed, in a frame of the triangle's own.
+//! Around vertex i the divergence integrates to -Σ A X · ∇φᵢ over its triangles, φᵢ being 1 at i and 0 at the other
+//! vertices. With the triangle laid into the plane, corner 0 at the origin, corner 1 at (b, 0), corner 2 at (x, y),
+//!
+//! ```text
+//! A ∇φ₂ = ½ (0, b)      A ∇φ₁ = ½ (y, -x)      A ∇φ₀ = -A ∇φ₁ - A ∇φ₂
+//! 2 A ∇u = ((u₁ - u₀) y, (u₂ - u₀) b - (u₁ - u₀) x)
+//! ```
+//!
+//! so neither cotangents nor a division by the height are needed, and the two components of X alone decide: needles lose no
+//! more digits than u has lost.
+//!
+//! O(F) time; 36 bytes a triangle.
 
 use super::Operators;
-use nalgebra::Vector2;
+use crate::metric::Metric;
 
-/// A triangle laid into the plane: corner 0 at the origin, corner 1 at (base, 0), corner 2 at the apex.
+/// A triangle laid into the plane as above: b, x and y, times ½, and times another ½ on one side of the surface.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
-    base: f64,
-    apex: Vector2<f64>,
+    b: f64,
+    x: f64,
+    y: f64,
 }
 
-impl Frame {
-    pub(super) fn of(lengths: [f64; 3]) -> Frame {
-        let [base, from_1, from_0] = lengths;
-        let x = (base + (from_0 - from_1) / base * (from_0 + from_1)) / 2.0;
-        Frame { base, apex: Vector2::new(x, 2.0 * crate::metric::area(lengths) / base) }
-    }
-
-    /// The gradient of the linear function that grows by `along_base` to corner 1 and by `to_apex` to corner 2.
-    fn gradient(&self, along_base: f64, to_apex: f64) -> Vector2<f64> {
-        let x = along_base / self.base;
-        Vector2::new(x, (to_apex - x * self.apex.x) / self.apex.y)
-    }
+/// The frame of every triangle, of these areas.
+pub(super) fn frames(metric: &Metric, areas: &[f64]) -> Vec<Frame> {
+    let of = |((_, [b, from_1, from_0], weight), &area): ((_, [f64; 3], f64), &f64)| {
+        let x = (b + (from_0 - from_1) / b * (from_0 + from_1)) / 2.0;
+        let half = weight / 2.0;
+        Frame { b: half * b, x: half * x, y: half * (2.0 * area / b) }
+    };
+    metric.weighted().zip(areas).map(of).collect()
 }
 
 impl Operators {
@@ -38,42 +43,49 @@ impl Operators {
         divergence: &mut [f64],
         mut takes: impl FnMut(usize, [f64; 3]) -> bool,
     ) {
-        let triangles = self.triangles.iter().zip(&self.frames).zip(&self.half_cotangents).enumerate();
-        for (f, ((triangle, frame), weights)) in triangles {
-            let [a, b, c] = triangle.map(|v| u[v as usize]);
-            if !takes(f, [a, b, c]) {
+        for (f, (triangle, &Frame { b, x, y })) in self.triangles.iter().zip(&self.frames).enumerate() {
+            let corners @ [u0, u1, u2] = triangle.map(|v| u[v as usize]);
+            if !takes(f, corners) {
                 continue;
             }
-            let rises = [b - a, c - b, a - c];
-            // Far from the source u is tiny, and its square zero: so the largest rise becomes 1 first.
-            let largest = rises.iter().fold(0.0f64, |largest, rise| largest.max(rise.abs()));
-            if largest == 0.0 {
-                continue;
-            }
-            let rises = rises.map(|rise| rise / largest);
-            let slope = frame.gradient(rises[0], -rises[2]).norm();
-            for k in 0..3 {
-                let flux = weights[k] * (-rises[k] / slope); // ½ cot θ (e · X)
-                divergence[triangle[k] as usize] += flux;
-                divergence[triangle[(k + 1) % 3] as usize] -= flux;
+            let (rise1, rise2) = (u1 - u0, u2 - u0);
+            // Far from the source u is tiny, and the square of a gradient zero.
+            let size = towards_one(rise1.abs().max(rise2.abs()));
+            let (rise1, rise2) = (size * rise1, size * rise2);
+            let gradient = [rise1 * y, rise2 * b - rise1 * x];
+            let square = gradient[0] * gradient[0] + gradient[1] * gradient[1];
+            if square > 0.0 {
+                let slope = square.sqrt();
+                let [along, across] = gradient.map(|component| component / slope);
+                let (at1, at2) = (y * along - x * across, b * across);
+                divergence[triangle[0] as usize] -= at1 + at2;
+                divergence[triangle[1] as usize] += at1;
+                divergence[triangle[2] as usize] += at2;
             }
         }
     }
 }
 
+/// The power of two that brings a size to about 1 or, where it is smaller than any normal number, as near as it can.
+fn towards_one(size: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff << 52;
+    const OF_ONE: u64 = 0x3ff << 52;
+    let exponent = (size.to_bits() & EXPONENT).clamp(1 << 52, 2 * OF_ONE - (1 << 52));
+    f64::from_bits(2 * OF_ONE - exponent)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::metric::Metric;
 
     /// On the unit square u = x has X = (-1, 0), which flows in through the side x = 1 and out through x = 0.
     #[test]
     fn divergence_of_a_plane_wave_is_its_flux() {
         let diagonal = 2f64.sqrt();
-        let metric =
-            Metric { triangles: vec![[0, 1, 2], [0, 2, 3]], lengths: vec![[1.0, 1.0, diagonal], [diagonal, 1.0, 1.0]] };
+        let lengths = vec![[1.0, 1.0, diagonal], [diagonal, 1.0, 1.0]];
+        let metric = Metric { triangles: vec![[0, 1, 2], [0, 2, 3]], lengths, single: 2 };
         let operators = Operators::new(metric, 4);
-        for size in [1.0, 1e-300] {
+        for size in [1.0, 1e-300, 5e-324, 1e308] {
             let mut divergence = [0.0; 4];
             operators.add_divergence_of_direction(&[0.0, size, size, 0.0], &mut divergence, |_, _| true);
             for (value, expected) in divergence.iter().zip([-0.5, 0.5, 0.5, -0.5]) {

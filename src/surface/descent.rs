@@ -71,7 +71,7 @@ pub struct DescentPath {
 /// let mesh = shapes::icosphere(4).mesh()?;
 /// let sources = [Source::vertex(0)];
 /// let control = Control::new();
-/// let distances = HeatSolver::new(&mesh, &HeatOptions::default(), &control)?.distances(&sources, &control)?;
+/// let distances = HeatSolver::new(&mesh, &HeatOptions::default(), &control)?.field(&sources, &control)?.into_distances();
 ///
 /// let paths = descent_paths(&mesh, &distances, &sources, &[Target::Vertex(11)])?;
 /// let path = paths[0].as_ref().expect("the source reaches all vertices");
