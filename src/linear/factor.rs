@@ -64,35 +64,44 @@ pub(crate) struct Factor {
 /// How many sums a product of vectors is added up in.
 const LANES: usize = 4;
 
-/// How many columns a backward solve takes at a time.
-const PANEL: usize = 16;
+/// How many columns are taken at a time, so that what they are multiplied with is fetched once.
+const PANEL: usize = 4;
 
-/// Subtracts `column` times `x` from `t`.
-fn subtract<const K: usize>(t: &mut [[f64; K]], column: &[f64], x: [f64; K]) {
-    for (t, l) in t.iter_mut().zip(column) {
-        for k in 0..K {
-            t[k] -= l * x[k];
+/// Subtracts C columns times `y` from `t`, one after the other.
+fn subtract<const C: usize, const K: usize>(t: &mut [[f64; K]], columns: [&[f64]; C], y: &[[f64; K]]) {
+    let columns = columns.map(|column| &column[..t.len()]);
+    let y: [[f64; K]; C] = array::from_fn(|c| y[c]);
+    for i in 0..t.len() {
+        for c in 0..C {
+            for k in 0..K {
+                t[i][k] -= columns[c][i] * y[c][k];
+            }
         }
     }
 }
 
-/// The products of `column` and `t`, added up in the same order for any K.
-fn product<const K: usize>(column: &[f64], t: &[[f64; K]]) -> [f64; K] {
-    let ((columns, column), (ts, t)) = (column.as_chunks::<LANES>(), t.as_chunks::<LANES>());
-    let mut sums = [[0.0; K]; LANES];
-    for (column, t) in columns.iter().zip(ts) {
-        for lane in 0..LANES {
-            for k in 0..K {
-                sums[lane][k] += column[lane] * t[lane][k];
+/// The products of C columns with `t`, added up in the same order for any C and K.
+fn products<const C: usize, const K: usize>(columns: [&[f64]; C], t: &[[f64; K]]) -> [[f64; K]; C] {
+    let (chunks, rest) = t.as_chunks::<LANES>();
+    let whole = columns.map(|column| &column.as_chunks::<LANES>().0[..chunks.len()]);
+    let mut sums = [[[0.0; K]; LANES]; C];
+    for (i, t) in chunks.iter().enumerate() {
+        for (sums, column) in sums.iter_mut().zip(whole) {
+            for lane in 0..LANES {
+                for k in 0..K {
+                    sums[lane][k] += column[i][lane] * t[lane][k];
+                }
             }
         }
     }
-    for ((sums, l), t) in sums.iter_mut().zip(column).zip(t) {
-        for k in 0..K {
-            sums[k] += l * t[k];
+    for (sums, column) in sums.iter_mut().zip(columns) {
+        for ((sums, l), t) in sums.iter_mut().zip(&column[LANES * chunks.len()..]).zip(rest) {
+            for k in 0..K {
+                sums[k] += l * t[k];
+            }
         }
     }
-    array::from_fn(|k| (sums[0][k] + sums[1][k]) + (sums[2][k] + sums[3][k]))
+    sums.map(|sums| array::from_fn(|k| (sums[0][k] + sums[1][k]) + (sums[2][k] + sums[3][k])))
 }
 
 /// One supernode of a factor.
@@ -122,11 +131,21 @@ impl Supernode<'_> {
 
     fn forward<const K: usize>(&self, x: &mut [[f64; K]], t: &mut Vec<[f64; K]>) {
         self.gather(x, t);
-        for j in 0..self.width {
-            let column = self.column(j);
-            t[j] = t[j].map(|x| x / column[0]);
-            let y = t[j];
-            subtract(&mut t[j + 1..], &column[1..], y);
+        for start in (0..self.width).step_by(PANEL) {
+            let end = self.width.min(start + PANEL);
+            for j in start..end {
+                let column = self.column(j);
+                t[j] = t[j].map(|x| x / column[0]);
+                let y = t[j];
+                subtract(&mut t[j + 1..end], [&column[1..end - j]], &[y]);
+            }
+            let (y, t) = t[start..].split_at_mut(end - start);
+            match end - start {
+                4 => subtract(t, self.below::<4>(start), y),
+                3 => subtract(t, self.below::<3>(start), y),
+                2 => subtract(t, self.below::<2>(start), y),
+                _ => subtract(t, self.below::<1>(start), y),
+            }
         }
         x[self.first..self.first + self.width].copy_from_slice(&t[..self.width]);
         for (&row, &t) in self.rows.iter().zip(&t[self.width..]) {
@@ -134,22 +153,40 @@ impl Supernode<'_> {
         }
     }
 
-    /// Panel by panel: the products with what is known do not wait for each other, so that memory is read ahead.
     fn backward<const K: usize>(&self, x: &mut [[f64; K]], t: &mut Vec<[f64; K]>) {
         self.gather(x, t);
         for start in (0..self.width).step_by(PANEL).rev() {
             let end = self.width.min(start + PANEL);
-            let mut known = [[0.0; K]; PANEL];
-            for (j, known) in (start..end).zip(&mut known) {
-                *known = product(&self.column(j)[end - j..], &t[end..]);
-            }
+            let known = self.products_below(start, &t[end..], end - start);
             for j in (start..end).rev() {
                 let column = self.column(j);
-                let inside = product(&column[1..end - j], &t[j + 1..end]);
+                let [inside] = products([&column[1..end - j]], &t[j + 1..end]);
                 t[j] = array::from_fn(|k| (t[j][k] - known[j - start][k] - inside[k]) / column[0]);
             }
         }
         x[self.first..self.first + self.width].copy_from_slice(&t[..self.width]);
+    }
+
+    /// C columns from `start` on, below the last of them.
+    fn below<const C: usize>(&self, start: usize) -> [&[f64]; C] {
+        array::from_fn(|c| &self.column(start + c)[C - c..])
+    }
+
+    /// The products of the `count` columns of a panel, below it, with `t`.
+    fn products_below<const K: usize>(&self, start: usize, t: &[[f64; K]], count: usize) -> [[f64; K]; PANEL] {
+        let mut all = [[0.0; K]; PANEL];
+        match count {
+            // Several columns at once need as many sums for each right-hand side: for more than one there is no room.
+            4 if K == 1 => all = products(self.below::<4>(start), t),
+            3 if K == 1 => all[..3].copy_from_slice(&products(self.below::<3>(start), t)),
+            2 if K == 1 => all[..2].copy_from_slice(&products(self.below::<2>(start), t)),
+            _ => {
+                for (c, product) in all[..count].iter_mut().enumerate() {
+                    [*product] = products([&self.column(start + c)[count - c..]], t);
+                }
+            }
+        }
+        all
     }
 }
 
