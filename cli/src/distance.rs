@@ -64,7 +64,8 @@ pub(crate) struct DistanceArgs {
     mesh_out: Option<MeshOut>,
 
     /// Print one JSON object on standard output: counts, time step, largest distance, seconds of
-    /// work, and with --reference the errors; distances are then written to --output only
+    /// work, what the heat method met with, and with --reference the errors; distances are then
+    /// written to --output only
     #[arg(verbatim_doc_comment, long)]
     json: bool,
 
@@ -144,6 +145,7 @@ fn report(mesh: &Mesh, field: &Field, read: Seconds, error: Option<Errors>) -> R
         unreachable: field.distances.len() - field.distances.iter().filter(is_finite).count(),
         final_radius: Some(field.final_radius).filter(|radius| radius.is_finite()),
         timing: Timing { read, setup: field.setup, solve: field.solve },
+        heat: field.heat,
         error,
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::Result;
 use crate::comparison::Errors;
+use crate::field::HeatFacts;
 use crate::measured::Seconds;
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -22,6 +23,8 @@ pub(crate) struct Report {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) final_radius: Option<f64>,
     pub(crate) timing: Timing,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) heat: Option<HeatFacts>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) error: Option<Errors>,
 }

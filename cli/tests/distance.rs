@@ -153,10 +153,13 @@ fn the_json_object_has_these_keys_in_this_order() {
         ["vertices", "faces", "time_step", "largest_distance", "unreachable", "timing", "read", "setup", "solve"];
     let places: Vec<_> = keys.iter().map(|key| text.find(&format!("\"{key}\":")).unwrap()).collect();
     assert!(places.is_sorted());
-    assert!(report.get("error").is_none() && report.as_object().unwrap().len() == 6);
+    assert!(report.get("error").is_none() && report.as_object().unwrap().len() == 7);
+    let heat = &report["heat"];
+    assert_eq!((&heat["flips"], &heat["stuck_edges"], &heat["restarts"]), (&0.into(), &0.into(), &0.into()));
+    assert!(heat["seconds"]["poisson"].as_f64().unwrap() > 0.0 && heat["nonpositive_heat"] == 0);
 
     let exact = desk.json("distance grid.obj --source 0 --method exact --json");
-    assert!(exact["time_step"].is_null());
+    assert!(exact["time_step"].is_null() && exact.get("heat").is_none());
     assert!((exact["largest_distance"].as_f64().unwrap() - 800_f64.sqrt()).abs() < 1e-12);
 }
 
