@@ -83,6 +83,23 @@ fn large_start_distances_come_in_late() {
     assert_eq!(field.distances()[1500], 1000.0);
 }
 
+/// Where the boundary absorbs all heat u is 0: that is no fading. A strip along which heat fades is no worse than a short one.
+#[test]
+fn absorbed_heat_has_not_faded() {
+    let error = |length: u32, has_faded: bool| {
+        let strip = shapes::grid(length, 12).mesh().unwrap();
+        let source = 6 * (length + 1) + length / 2;
+        let absorbing = HeatOptions { boundary: 1.0, ..times(1.0) };
+        let field = field(&strip, &absorbing, &[Source::vertex(source)]);
+        assert_eq!((field.restarts() > 0, field.nonpositive_heat()), (has_faded, 0));
+        let exact: Vec<f64> =
+            strip.positions().iter().map(|&p| euclid(p, strip.positions()[source as usize])).collect();
+        mean_error(field.distances(), &exact)
+    };
+    let [short, long] = [(600, false), (1600, true)].map(|(length, has_faded)| error(length, has_faded));
+    assert!(long < 1.1 * short, "{short} {long}");
+}
+
 // ------------------------------------------------------------------------------------------------ points and curves
 
 fn inside(face: u32, barycentric: [f64; 3]) -> SurfacePoint {
@@ -268,6 +285,16 @@ fn another_place_of_the_same_triangles() {
     let mut broken = mesh.positions().to_vec();
     broken[5][1] = f64::NAN;
     assert!(mesh.with_positions(&broken).is_err());
+}
+
+/// A curve that has no length, because all corners of its triangle lie in one place, is a point.
+#[test]
+fn curves_without_length() {
+    let positions = [[0.0; 3], [0.0; 3], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let mesh = Mesh::from_triangles(&positions, &[[0, 1, 2], [0, 3, 4]]).unwrap();
+    let points = [[1.0, 0.0, 0.0], [0.0, 0.5, 0.5]].map(|barycentric| inside(0, barycentric)).to_vec();
+    let d = field_of(&mesh, Source::curve(Curve { points, is_closed: false }));
+    assert!(d[..3].iter().all(|&d| d == 0.0) && d[3..].iter().all(|&d| d > 0.5 && d < 2.0), "{d:?}");
 }
 
 /// The whole corpus, from a point inside a triangle: finite where the point's component is, and not negative.

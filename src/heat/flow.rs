@@ -81,9 +81,9 @@ impl HeatSolver {
         let mut scale = 0.0;
         loop {
             let most = u.iter().zip(&is_beyond).filter(|(_, beyond)| **beyond).map(|(&u, _)| u).fold(0.0, f64::max);
-            operators.add_divergence_of_direction(&u, &mut flow.divergence, |f, u| {
-                let is_good = u.iter().all(|&u| u >= FADED * most);
-                is_good && !std::mem::replace(&mut is_done[f], true)
+            operators.add_divergence_of_direction(&u, &mut flow.divergence, |f, corners| {
+                let is_good = |&v: &u32| u[v as usize] >= FADED * most || self.is_absorbed(v as usize);
+                corners.iter().all(is_good) && !std::mem::replace(&mut is_done[f], true)
             });
             late.retain(|charge| self.exponent(charge) - scale < FRONT.ln());
             let charges = self.front(&u, &mut is_beyond, FRONT * most);
@@ -140,12 +140,20 @@ impl HeatSolver {
         -charge.delay / self.time_step.sqrt()
     }
 
-    /// The vertices of the sources' components.
+    /// The vertices of the sources' components, but for those where all heat is absorbed.
     fn reachable(&self, placed: &Placed) -> Vec<bool> {
         let topology = self.systems.mesh.topology();
         let mut has_source = vec![false; topology.component_count as usize];
         placed.parts.iter().for_each(|part| has_source[part.component as usize] = true);
-        topology.component.iter().map(|&component| component != NONE && has_source[component as usize]).collect()
+        let is_reachable = |(v, &component): (usize, &u32)| {
+            component != NONE && has_source[component as usize] && !self.is_absorbed(v)
+        };
+        topology.component.iter().enumerate().map(is_reachable).collect()
+    }
+
+    /// Whether u is 0 at a vertex because the boundary absorbs all heat.
+    fn is_absorbed(&self, v: usize) -> bool {
+        self.dirichlet.is_some() && self.systems.options.boundary == 1.0 && self.systems.on_boundary[v]
     }
 }
 

@@ -13,6 +13,7 @@ use crate::error::{Element, Error, Reason, Result};
 use crate::linear::Pin;
 use crate::mesh::topology::{NONE, next, prev, start};
 use crate::metric::{distance, dot, minus};
+use crate::surface::curve::Segment;
 use crate::surface::point::{Place, SurfacePoint};
 use crate::surface::source::{Origin, Seed};
 use std::cmp::Reverse;
@@ -142,29 +143,33 @@ impl Spread {
                 shares: corners(point.face).into_iter().zip(point.barycentric).filter(|&(_, w)| w > 0.0).collect(),
                 near: near_point(point, systems),
             },
-            Origin::Curve(route) if route.segments.is_empty() => {
-                let point = route.points[0];
-                let origin = Origin::Place(point.as_place(&systems.mesh));
-                Spread::of(&Seed { origin, ..seed.clone() }, systems, reach)
-            }
-            Origin::Curve(route) => {
-                let (mut shares, mut near) = (Vec::new(), Vec::new());
-                for segment in &route.segments {
-                    let ends = segment.ends.map(|barycentric| SurfacePoint { face: segment.face, barycentric });
-                    let [from, to] = ends.map(|point| unit_position(&point, systems));
-                    // In the unit of heat's own length √t, so that curves and points warm alike.
-                    let half = distance(from, to) / reach / 2.0;
-                    let share = |k: usize| half * (ends[0].barycentric[k] + ends[1].barycentric[k]);
-                    shares.extend((0..3).map(|k| (corners(segment.face)[k], share(k))).filter(|&(_, w)| w > 0.0));
-                    for segment in segment.in_triangles(&systems.mesh) {
-                        let position = |v: u32| systems.unit_position(v);
-                        let away = |v: u32| distance_to_segment(position(v), from, to);
-                        near.extend(corners(segment.face).map(|v| (v, away(v))));
-                    }
+            Origin::Curve(route) => match Spread::along(&route.segments, systems, reach) {
+                // A curve without length is a point.
+                spread if spread.shares.is_empty() => {
+                    let origin = Origin::Place(route.points[0].as_place(&systems.mesh));
+                    Spread::of(&Seed { origin, ..seed.clone() }, systems, reach)
                 }
-                Spread { shares, near }
+                spread => spread,
+            },
+        }
+    }
+
+    fn along(segments: &[Segment], systems: &Systems, reach: f64) -> Spread {
+        let corners = |face: u32| systems.mesh.triangles()[face as usize];
+        let (mut shares, mut near) = (Vec::new(), Vec::new());
+        for segment in segments {
+            let ends = segment.ends.map(|barycentric| SurfacePoint { face: segment.face, barycentric });
+            let [from, to] = ends.map(|point| unit_position(&point, systems));
+            // In the unit of heat's own length √t, so that curves and points warm alike.
+            let half = distance(from, to) / reach / 2.0;
+            let share = |k: usize| half * (ends[0].barycentric[k] + ends[1].barycentric[k]);
+            shares.extend((0..3).map(|k| (corners(segment.face)[k], share(k))).filter(|&(_, share)| share > 0.0));
+            for segment in segment.in_triangles(&systems.mesh) {
+                let away = |v: u32| distance_to_segment(systems.unit_position(v), from, to);
+                near.extend(corners(segment.face).map(|v| (v, away(v))));
             }
         }
+        Spread { shares, near }
     }
 }
 

@@ -36,18 +36,18 @@ pub(super) fn frames(metric: &Metric, areas: &[f64]) -> Vec<Frame> {
 
 impl Operators {
     /// Adds the integrated divergence of X = -∇u / |∇u| at each vertex to `divergence`; X = 0 on a triangle where u does
-    /// not vary, and on those that `takes` does not take, by their number and u at their corners.
+    /// not vary, and on those that `takes` does not take, by their number and corners.
     pub(crate) fn add_divergence_of_direction(
         &self,
         u: &[f64],
         divergence: &mut [f64],
-        mut takes: impl FnMut(usize, [f64; 3]) -> bool,
+        mut takes: impl FnMut(usize, &[u32; 3]) -> bool,
     ) {
         for (f, (triangle, &Frame { b, x, y })) in self.triangles.iter().zip(&self.frames).enumerate() {
-            let corners @ [u0, u1, u2] = triangle.map(|v| u[v as usize]);
-            if !takes(f, corners) {
+            if !takes(f, triangle) {
                 continue;
             }
+            let [u0, u1, u2] = triangle.map(|v| u[v as usize]);
             let (rise1, rise2) = (u1 - u0, u2 - u0);
             // Far from the source u is tiny, and the square of a gradient zero.
             let size = towards_one(rise1.abs().max(rise2.abs()));
