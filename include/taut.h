@@ -22,8 +22,9 @@
  *     taut_exact_free(exact);
  *     taut_mesh_free(mesh);
  *
- * For the heat method: taut_heat_new(mesh, NULL, NULL, &heat), then taut_heat_distances(heat, &from, NULL, output) for
- * each set of sources, then taut_heat_free(heat). examples/distance.c is a whole program.
+ * For the heat method: taut_heat_new(mesh, NULL, NULL, &heat), then for each set of sources taut_heat_field_new(heat, &from,
+ * NULL, &field), taut_heat_field_distances(field, output) and taut_heat_field_free(field), at last taut_heat_free(heat).
+ * examples/distance.c is a whole program.
  *
  * Places on the surface are a triangle and the weights of its three corners: rows of one index and rows of three real
  * numbers, in two buffers. What taut_closest_points() finds is a source, or a target to ask a field about, as it stands:
