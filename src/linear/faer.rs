@@ -1,4 +1,4 @@
-//! Backend faer: supernodal sparse Cholesky A = L Lᵀ, and its approximate minimum degree ordering.
+//! Backend faer: supernodal sparse Cholesky A = L Lᵀ, and approximate minimum degree.
 
 use super::factor::{Factor, Structure};
 use super::graph::Graph;
@@ -8,19 +8,16 @@ use crate::error::Result;
 use ::faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use ::faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
 use ::faer::perm::PermRef;
+use ::faer::sparse::linalg::SupernodalThreshold;
 use ::faer::sparse::linalg::amd;
 use ::faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 use ::faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
-use ::faer::sparse::linalg::{SupernodalThreshold, SymbolicSupernodalParams};
 use ::faer::sparse::{FaerError, SparseColMatRef, SymbolicSparseColMatRef};
 use ::faer::{Par, Side};
 use nalgebra_sparse::pattern::SparsityPattern;
 use std::sync::Arc;
-
-/// Two supernodes become one of up to so many columns where less than this share of it is zeros.
-const RELAX: &[(usize, f64)] = &[(8, 1.0), (32, 0.5), (64, 0.2), (usize::MAX, 0.1)];
 
 /// A pattern with the structure of its factor.
 #[derive(Debug)]
@@ -37,7 +34,6 @@ impl Analysis {
         let order = PermRef::new_checked(ordering.rows(), ordering.columns(), ordering.rows().len());
         let parameters = CholeskySymbolicParams {
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
-            supernodal_params: SymbolicSupernodalParams { relax: Some(RELAX) },
             ..CholeskySymbolicParams::default()
         };
         let pattern = matrix_pattern(&column_starts, &rows);
