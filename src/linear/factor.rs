@@ -50,6 +50,13 @@ impl Structure {
         }
         Structure { ordering, columns, rows, row_start, value_start, supernode_of }
     }
+
+    /// How many entries each column has from the diagonal on.
+    #[cfg(test)]
+    pub(super) fn column_counts(&self) -> impl Iterator<Item = usize> {
+        let ends = self.supernode_of.iter().map(|&s| (s as usize, self.columns[s as usize + 1] as usize));
+        ends.enumerate().map(|(j, (s, end))| end - j + (self.row_start[s + 1] - self.row_start[s]) as usize)
+    }
 }
 
 /// The factor L of a matrix; any number of threads may solve with it.

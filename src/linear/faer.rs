@@ -1,25 +1,23 @@
-//! Backend faer: supernodal sparse Cholesky A = L Lᵀ, and its approximate minimum degree ordering.
+//! Backend faer: supernodal sparse Cholesky A = L Lᵀ, and approximate minimum degree.
 
 use super::factor::{Factor, Structure};
+use super::graph::Graph;
 use super::ordering::Ordering;
-use super::{Symbolic, not_positive_definite, out_of_memory, zeros};
-use crate::error::{Error, Reason, Result};
+use super::{Symbolic, not_positive_definite, out_of_memory, too_large, zeros};
+use crate::error::Result;
 use ::faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use ::faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
 use ::faer::perm::PermRef;
+use ::faer::sparse::linalg::SupernodalThreshold;
 use ::faer::sparse::linalg::amd;
 use ::faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 use ::faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
-use ::faer::sparse::linalg::{SupernodalThreshold, SymbolicSupernodalParams};
 use ::faer::sparse::{FaerError, SparseColMatRef, SymbolicSparseColMatRef};
 use ::faer::{Par, Side};
 use nalgebra_sparse::pattern::SparsityPattern;
 use std::sync::Arc;
-
-/// Two supernodes become one of up to so many columns where less than this share of it is zeros.
-const RELAX: &[(usize, f64)] = &[(8, 1.0), (32, 0.5), (64, 0.2), (usize::MAX, 0.1)];
 
 /// A pattern with the structure of its factor.
 #[derive(Debug)]
@@ -27,7 +25,7 @@ pub(super) struct Analysis {
     column_starts: Vec<u32>,
     rows: Vec<u32>,
     symbolic: SymbolicCholesky<u32>,
-    structure: Arc<Structure>,
+    pub(super) structure: Arc<Structure>,
 }
 
 impl Analysis {
@@ -36,7 +34,6 @@ impl Analysis {
         let order = PermRef::new_checked(ordering.rows(), ordering.columns(), ordering.rows().len());
         let parameters = CholeskySymbolicParams {
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
-            supernodal_params: SymbolicSupernodalParams { relax: Some(RELAX) },
             ..CholeskySymbolicParams::default()
         };
         let pattern = matrix_pattern(&column_starts, &rows);
@@ -90,16 +87,14 @@ impl Symbolic for Analysis {
     }
 }
 
-/// The ordering of the lower triangle `pattern`.
-pub(super) fn order(pattern: &SparsityPattern) -> Result<Ordering> {
-    let (column_starts, rows) = narrow(pattern)?;
-    let n = pattern.major_dim();
-    let (mut forward, mut inverse) = (vec![0; n], vec![0; n]);
-    let mut scratch = scratch(amd::order_maybe_unsorted_scratch::<u32>(n, rows.len()))?;
-    let (pattern, stack) = (matrix_pattern(&column_starts, &rows), MemStack::new(&mut scratch));
-    amd::order_maybe_unsorted(&mut forward, &mut inverse, pattern, amd::Control::default(), stack)
-        .map_err(|_| too_large())?;
-    Ok(Ordering::new(forward, inverse))
+/// The vertices of a graph in the order of approximate minimum degree.
+pub(super) fn minimum_degree(graph: &Graph) -> Result<Vec<u32>> {
+    let (starts, neighbours) = graph.adjacency();
+    let (mut forward, mut inverse) = (vec![0; graph.size()], vec![0; graph.size()]);
+    let mut scratch = scratch(amd::order_scratch::<u32>(graph.size(), neighbours.len()))?;
+    let (pattern, stack) = (matrix_pattern(starts, neighbours), MemStack::new(&mut scratch));
+    amd::order(&mut forward, &mut inverse, pattern, amd::Control::default(), stack).map_err(|_| too_large())?;
+    Ok(forward)
 }
 
 /// The arrays of a pattern with indices of 32 bits.
@@ -118,8 +113,4 @@ fn matrix_pattern<'a>(column_starts: &'a [u32], rows: &'a [u32]) -> SymbolicSpar
 
 fn scratch(request: StackReq) -> Result<MemBuffer> {
     MemBuffer::try_new(request).map_err(|_| out_of_memory())
-}
-
-fn too_large() -> Error {
-    Error::new(Reason::TooManyElements, "the matrix or its factor exceeds 32-bit indices")
 }

@@ -1,4 +1,4 @@
-//! Backend sprs-ldl: up-looking A = L D Lᵀ, simplicial, in the same AMD ordering.
+//! Backend sprs-ldl: up-looking A = L D Lᵀ, simplicial, in the same ordering.
 //!
 //! sprs-ldl is LGPL-2.1; it takes the whole matrix, so the lower triangle is mirrored.
 

@@ -1,6 +1,6 @@
 //! Symmetric positive definite sparse systems A x = b, solved by factorising A.
 //!
-//! A pattern is analysed once (an approximate minimum degree ordering, and where the factor will have entries); every
+//! A pattern is analysed once (an ordering that keeps the factor sparse, and where the factor will have entries); every
 //! matrix with that pattern is then factorised without that work; a factor solves any number of right-hand sides. Only
 //! the lower triangle of A is given: a nalgebra-sparse pattern in columns, and its values in the same order.
 //!
@@ -9,15 +9,17 @@
 //!
 //! Cost, for a mesh of V vertices: about V log V entries in the factor, and V^1.5 time to compute them.
 //!
-//! References: P. R. Amestoy, T. A. Davis, I. S. Duff: An Approximate Minimum Degree Ordering Algorithm. SIAM Journal on
-//! Matrix Analysis and Applications, 1996. T. A. Davis: Direct Methods for Sparse Linear Systems. SIAM, 2006.
+//! References: T. A. Davis: Direct Methods for Sparse Linear Systems. SIAM, 2006.
 
 mod constrained;
+mod dissection;
 mod factor;
 mod faer;
+mod graph;
 #[cfg(feature = "ldl")]
 mod ldl;
 mod ordering;
+mod separator;
 
 use crate::error::{Error, Reason, Result};
 use nalgebra_sparse::pattern::SparsityPattern;
@@ -55,7 +57,7 @@ pub(crate) trait Symbolic: Debug + Send + Sync {
 /// # Errors
 /// [`Reason::OutOfMemory`], and [`Reason::TooManyElements`] where 32-bit indices do not suffice.
 pub(crate) fn order(pattern: &SparsityPattern) -> Result<Arc<Ordering>> {
-    Ok(Arc::new(faer::order(pattern)?))
+    Ok(Arc::new(dissection::order(pattern)?))
 }
 
 /// Tells where the factor of a matrix with the lower triangle `pattern` will have entries.
@@ -83,6 +85,10 @@ fn zeros(len: usize) -> Result<Vec<f64>> {
 
 fn out_of_memory() -> Error {
     Error::new(Reason::OutOfMemory, "no memory for the factor of the matrix")
+}
+
+fn too_large() -> Error {
+    Error::new(Reason::TooManyElements, "the matrix or its factor exceeds 32-bit indices")
 }
 
 fn not_positive_definite() -> Error {

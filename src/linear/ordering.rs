@@ -1,11 +1,8 @@
-//! A fill-reducing ordering of rows and columns: approximate minimum degree.
+//! A permutation of the rows of a symmetric matrix, and of its columns.
 //!
 //! It fits any matrix whose pattern is much the same; only the fill grows with the difference.
-//!
-//! References: P. R. Amestoy, T. A. Davis, I. S. Duff: An Approximate Minimum Degree Ordering Algorithm. SIAM Journal on
-//! Matrix Analysis and Applications, 1996.
 
-/// A permutation of the rows of a symmetric matrix, and of its columns.
+/// An ordering of rows and columns.
 #[derive(Debug)]
 pub(crate) struct Ordering {
     /// Which row of the given matrix each row of the reordered one is.
@@ -15,8 +12,10 @@ pub(crate) struct Ordering {
 }
 
 impl Ordering {
-    /// Of two arrays that are each other's inverse.
-    pub(super) fn new(rows: Vec<u32>, columns: Vec<u32>) -> Ordering {
+    /// The rows of the given matrix in order: each of them once.
+    pub(super) fn new(rows: Vec<u32>) -> Ordering {
+        let mut columns = vec![0; rows.len()];
+        (0..).zip(&rows).for_each(|(column, &row)| columns[row as usize] = column);
         Ordering { rows, columns }
     }
 
