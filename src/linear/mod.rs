@@ -77,10 +77,9 @@ pub(crate) fn analyze(solver: Solver, pattern: &SparsityPattern, ordering: Arc<O
 
 /// `len` zeros, or an error where they do not fit in memory.
 fn zeros(len: usize) -> Result<Vec<f64>> {
-    let mut values = Vec::new();
-    values.try_reserve_exact(len).map_err(|_| out_of_memory())?;
-    values.resize(len, 0.0);
-    Ok(values)
+    // Asked for and given back first: that makes a lack an error, and leaves zeroing to the system, page by page.
+    Vec::<f64>::new().try_reserve_exact(len).map_err(|_| out_of_memory())?;
+    Ok(vec![0.0; len])
 }
 
 fn out_of_memory() -> Error {
