@@ -33,7 +33,7 @@ pub(crate) use ordering::Ordering;
 /// Which library factorises the matrices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Solver {
-    /// faer: supernodal or simplicial Cholesky, A = L Lᵀ. The fast one, and the default.
+    /// faer: supernodal Cholesky, A = L Lᵀ. The fast one, and the default.
     Faer,
     /// sprs-ldl: up-looking A = L D Lᵀ, an independent second opinion. Needs the feature `ldl`, without which
     /// [`Reason::MissingFeature`] is returned.
