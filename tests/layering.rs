@@ -139,6 +139,7 @@ fn uses_word(code: &str, name: &str) -> bool {
 fn outside_crates_stay_in_their_modules() {
     let homes = [
         ("faer::", "linear"),
+        ("pulp::", "linear"),
         ("sprs::", "linear"),
         ("sprs_ldl::", "linear"),
         ("tobj::", "mesh"),
