@@ -8,8 +8,8 @@
 //! ```
 //!
 //! and so on inside A and B. The last columns, which cost most, are then as few as the separators are short; minimum degree,
-//! which looks at one vertex at a time, finds longer ones by and by. Below two hundred thousand vertices it loses too
-//! little to pay for the search. The same pattern has the same ordering on any machine.
+//! which looks at one vertex at a time, finds longer ones by and by. Below a hundred thousand vertices it loses too little
+//! to pay for the search. The same pattern has the same ordering on any machine.
 //!
 //! Cost: a few passes over the edges for each doubling of the size.
 //!
@@ -26,7 +26,7 @@ use crate::error::Result;
 use nalgebra_sparse::pattern::SparsityPattern;
 
 /// Patterns of no more rows are ordered by minimum degree alone: about where the search costs as much as it saves.
-const LARGE: usize = 200_000;
+const LARGE: usize = 100_000;
 /// Parts of no more vertices are ordered by minimum degree.
 const SMALL: usize = 2000;
 
