@@ -3,11 +3,14 @@
 mod common;
 #[path = "common/places.rs"]
 mod places;
+#[path = "common/segments.rs"]
+mod segments;
 
 use common::corpus;
 use places::{Random, euclid, field};
+use segments::{is_in, length};
 use taut::shapes::Shape;
-use taut::{Closest, Control, Curve, Element, Error, ExactField, ExactOptions, ExactSolver};
+use taut::{Control, Curve, Element, Error, ExactField, ExactOptions, ExactSolver};
 use taut::{Mesh, Reason, Source, SurfacePoint, Target, isolines, shapes};
 
 fn from_curve(mesh: &Mesh, curve: &Curve) -> ExactField {
@@ -149,18 +152,6 @@ fn along(mesh: &Mesh, [from, to]: [u32; 2], share: f64) -> SurfacePoint {
     SurfacePoint { face, barycentric: triangle.map(weight) }
 }
 
-/// Whether a point lies in a triangle, by its corners or by its place.
-fn is_in(mesh: &Mesh, point: &SurfacePoint, face: u32) -> bool {
-    let [corners, others] = [face, point.face].map(|face| mesh.triangles()[face as usize]);
-    let shares_corners = (0..3).all(|k| point.barycentric[k] == 0.0 || corners.contains(&others[k]));
-    shares_corners || {
-        let alone = Mesh::from_triangles(&corners.map(|v| mesh.positions()[v as usize]), &[[0, 1, 2]]).unwrap();
-        let place = point.position(mesh).unwrap();
-        let size = place.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-        Closest::new(&alone).unwrap().point(place).unwrap().distance <= 1e-15 * size
-    }
-}
-
 /// Each segment lies in the triangle that its first point names, no two points coincide, the length is the distance.
 #[track_caller]
 fn check_path(mesh: &Mesh, path: &Curve, distance: f64, what: &str) {
@@ -170,7 +161,7 @@ fn check_path(mesh: &Mesh, path: &Curve, distance: f64, what: &str) {
         assert!(is_in(mesh, &pair[1], pair[0].face), "{what}: segment {i} leaves its triangle");
         assert_ne!(positions[i], positions[i + 1], "{what}: point {i} twice");
     }
-    let length: f64 = positions.windows(2).map(|pair| euclid(pair[0], pair[1])).sum();
+    let length = length(mesh, path);
     assert!((length - distance).abs() <= 1e-12 * distance, "{what}: path of {length:e} for a distance of {distance:e}");
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Each field has the bits that it has alone, for any number of threads.
 
-use super::HeatSolver;
+use super::{HeatField, HeatSolver};
 use crate::control::Control;
 use crate::error::Result;
 use crate::parallel;
@@ -31,10 +31,11 @@ impl HeatSolver {
             control,
             || (),
             |(), i, piece| {
-                Ok(match blocks.get(i) {
-                    Some(block) => self.fields(*block, piece)?.map(|field| field.into_distances()).to_vec(),
-                    None => self.fields([rest[i - blocks.len()]], piece)?.map(|field| field.into_distances()).to_vec(),
-                })
+                let fields = match blocks.get(i) {
+                    Some(block) => Vec::from(self.fields(*block, piece)?),
+                    None => Vec::from(self.fields([rest[i - blocks.len()]], piece)?),
+                };
+                Ok(fields.into_iter().map(HeatField::into_distances).collect::<Vec<_>>())
             },
         )?;
         Ok(rows.into_iter().flatten().collect())

@@ -100,12 +100,12 @@ fn exactly<T, const K: usize>(things: impl IntoIterator<Item = T>) -> [T; K] {
 impl Systems {
     /// φ of K queries in units, up to a constant in each component.
     pub(super) fn potentials<const K: usize>(&self, flows: &[Flow; K], placed: &[Placed; K]) -> Result<Vec<[f64; K]>> {
-        let pins: [Vec<Vec<Pin>>; K] = array::from_fn(|k| match self.options.shift {
-            Shift::Pinned => placed[k].parts.iter().map(|part| part.pins.clone()).collect(),
+        let pins: [Vec<&[Pin]>; K] = array::from_fn(|k| match self.options.shift {
+            Shift::Pinned => placed[k].parts.iter().map(|part| part.pins.as_slice()).collect(),
             Shift::Min => Vec::new(),
         });
-        let has_many = |blocks: &Vec<Vec<Pin>>| blocks.iter().any(|pins| pins.len() > MOST_PINS);
-        let few = array::from_fn(|k| if has_many(&pins[k]) { Vec::new() } else { pins[k].clone() });
+        let has_many = |blocks: &[&[Pin]]| blocks.iter().any(|pins| pins.len() > MOST_PINS);
+        let few = array::from_fn(|k| if has_many(&pins[k]) { &[][..] } else { &pins[k] });
         let b: Vec<[f64; K]> =
             (0..self.mesh.vertex_count()).map(|v| array::from_fn(|k| -flows[k].divergence[v])).collect();
         let mut phi = finite(self.poisson.solve_pinned(&b, &few)?)?;
@@ -117,9 +117,9 @@ impl Systems {
     }
 
     /// φ of one query whose pins are held by a factorisation of their own.
-    fn potential_held(&self, mut b: Vec<f64>, pins: &[Vec<Pin>]) -> Result<Vec<[f64; 1]>> {
+    fn potential_held(&self, mut b: Vec<f64>, pins: &[&[Pin]]) -> Result<Vec<[f64; 1]>> {
         let mut is_held = vec![false; b.len()];
-        for &(v, value) in pins.iter().flatten() {
+        for &(v, value) in pins.iter().copied().flatten() {
             is_held[v as usize] = true;
             b[v as usize] = value;
         }

@@ -221,9 +221,10 @@ impl HeatSolver {
     }
 
     fn build(mesh: &Mesh, options: &HeatOptions, like: Option<&Systems>, control: &Control) -> Result<HeatSolver> {
-        let time_step = options.time_step.unit_value(mesh, Scale::of(mesh))?;
+        let scale = Scale::of(mesh);
+        let time_step = options.time_step.unit_value(mesh, scale)?;
         control.checkpoint(0.0)?;
-        let systems = Systems::new(mesh, options, like, control)?;
+        let systems = Systems::new(mesh, scale, options, like, control)?;
         HeatSolver::timed(Arc::new(systems), time_step, control)
     }
 

@@ -43,13 +43,13 @@ impl Systems {
     /// `like` is for another mesh of the same triangles, whose ordering and analysis serve again.
     pub(super) fn new(
         mesh: &Mesh,
+        scale: Scale,
         options: &HeatOptions,
         like: Option<&Systems>,
         control: &Control,
     ) -> Result<Systems> {
         let mut watch = Stopwatch(Instant::now());
         let mut times = HeatTimes::default();
-        let scale = Scale::of(mesh);
         let mut metric = Metric::of(mesh, scale);
         let mollified = mollify::mollify(&mut metric);
         let flips = match options.laplacian {

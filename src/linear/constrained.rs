@@ -25,11 +25,7 @@ impl Factor {
     ///
     /// # Errors
     /// [`Reason::NotPositiveDefinite`](crate::Reason) where rounding makes pins depend on each other.
-    pub(crate) fn solve_pinned<const K: usize>(
-        &self,
-        b: &[[f64; K]],
-        pins: &[Vec<Vec<Pin>>; K],
-    ) -> Result<Vec<[f64; K]>> {
+    pub(crate) fn solve_pinned<const K: usize>(&self, b: &[[f64; K]], pins: &[&[&[Pin]]; K]) -> Result<Vec<[f64; K]>> {
         let mut y = self.forward(b);
         let mut scratch = vec![[0.0]; self.size()];
         for (k, blocks) in pins.iter().enumerate() {

@@ -221,7 +221,7 @@ mod tests {
             let mean = b.iter().map(|b| b[0]).sum::<f64>() / b.len() as f64;
             b.iter_mut().for_each(|b| b[0] -= mean);
             let pins: Vec<Pin> = vec![(21, 0.5), (22, 0.75), (210, -1.0), (399, 2.0)];
-            let x = factor.solve_pinned(&b, &[vec![pins.clone()]]).unwrap();
+            let x = factor.solve_pinned(&b, &[&[&pins[..]]]).unwrap();
             let constant = 0.5 - x[21][0];
             let at = |x_: usize, y: usize| x[y * n + x_][0] + constant;
             for &(row, value) in &pins {
