@@ -759,7 +759,7 @@ static void heat_options(void) {
     options.time_step = (taut_time_step){TAUT_TIME_FORMULA_MEAN_EDGE, TAUT_TIME_SCALE_PAPER, 1, 0};
     options.laplacian = TAUT_LAPLACIAN_INTRINSIC;
     options.shift = TAUT_SHIFT_PINNED;
-    options.solver = TAUT_SOLVER_FAER;
+    options.solver = TAUT_SOLVER_SUPERNODAL;
     CHECK(heat_with(mesh, &options, d) == TAUT_STATUS_OK && memcmp(d, by_default, sizeof d) == 0);
     options.struct_size = offsetof(taut_heat_options, boundary);
     options.boundary = -1; /* beyond its end */

@@ -501,10 +501,10 @@ typedef uint32_t taut_shift;
 /** The least distance of each component is moved to the least start distance. */
 #define TAUT_SHIFT_MIN 2
 
-/** Which code factors the sparse matrices. 0 means `TAUT_SOLVER_FAER`. */
+/** Which code factors the sparse matrices. 0 means `TAUT_SOLVER_SUPERNODAL`. */
 typedef uint32_t taut_solver;
-/** faer. */
-#define TAUT_SOLVER_FAER 1
+/** Supernodal Cholesky, A = L Lᵀ. */
+#define TAUT_SOLVER_SUPERNODAL 1
 /** sprs-ldl; only where the library was built with it, else TAUT_REASON_MISSING_FEATURE. */
 #define TAUT_SOLVER_LDL 2
 

@@ -167,9 +167,10 @@ impl<'a> Piece<'a> {
         Piece { control, progress: Some([0.0, 1.0]) }
     }
 
-    /// A piece that begins and ends at this progress, on the thread of the call.
-    pub(crate) fn between(control: &'a Control, from: f64, to: f64) -> Piece<'a> {
-        Piece { control, progress: Some([from, to]) }
+    /// The part of this piece between two of its progresses.
+    pub(crate) fn part(&self, from: f64, to: f64) -> Piece<'a> {
+        let progress = self.progress.map(|[begin, end]| [from, to].map(|at| begin + (end - begin) * at));
+        Piece { control: self.control, progress }
     }
 
     /// A piece on another thread.

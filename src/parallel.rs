@@ -33,7 +33,7 @@ pub(crate) fn rows<State, Row: Send>(
             let progress = |done: usize| done as f64 / count as f64;
             let before = done.load(Ordering::Relaxed);
             let piece = match is_caller {
-                true => Piece::between(control, progress(before), progress(before + 1)),
+                true => Piece::whole(control).part(progress(before), progress(before + 1)),
                 false => Piece::elsewhere(control),
             };
             let computed = row(&mut state, i, piece);

@@ -272,9 +272,9 @@ fn both_backends_agree() {
         for (shift, boundary) in [(Shift::Pinned, 0.0), (Shift::Min, 0.0), (Shift::Pinned, 0.5)] {
             let options = HeatOptions { shift, boundary, ..HeatOptions::default() };
             let sources = [Source::vertex(100), Source::vertex(500).with_offset(0.1)];
-            let faer = distances(&mesh, &options, &sources);
+            let supernodal = distances(&mesh, &options, &sources);
             let ldl = distances(&mesh, &HeatOptions { solver: Solver::Ldl, ..options }, &sources);
-            assert!(largest_difference(&faer, &ldl) < 1e-9 * faer.iter().copied().fold(0.0, f64::max));
+            assert!(largest_difference(&supernodal, &ldl) < 1e-9 * supernodal.iter().copied().fold(0.0, f64::max));
         }
     }
 }

@@ -96,7 +96,7 @@ pub(crate) struct HeatArgs {
     #[arg(help_heading = HEAT, long, value_enum)]
     laplacian: Option<LaplacianArg>,
 
-    /// Library that solves the linear systems [default: faer]
+    /// Code that factorises the linear systems [default: supernodal]
     #[arg(help_heading = HEAT, long, value_enum)]
     solver: Option<SolverArg>,
 
@@ -162,8 +162,8 @@ enum LaplacianArg {
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum SolverArg {
-    /// Cholesky factors by faer
-    Faer,
+    /// Supernodal Cholesky factors
+    Supernodal,
     /// LDLᵀ factors by sprs-ldl
     Ldl,
 }
@@ -260,7 +260,7 @@ impl HeatArgs {
                 LaplacianArg::Plain => Laplacian::Plain,
             }),
             solver: self.solver.map_or(default.solver, |solver| match solver {
-                SolverArg::Faer => Solver::Faer,
+                SolverArg::Supernodal => Solver::Supernodal,
                 SolverArg::Ldl => Solver::Ldl,
             }),
             time_step: self.time_step(),

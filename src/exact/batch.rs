@@ -155,7 +155,7 @@ impl Prepared {
         let mut sources = seeds.len() as u32; // fits: sources are numbered by u32
         let mut samples = Vec::new();
         while samples.len() < count {
-            let piece = Piece::between(control, share(samples.len()), share(samples.len() + 1));
+            let piece = Piece::whole(control).part(share(samples.len()), share(samples.len() + 1));
             front.run(&mut Stop::new(units, f64::INFINITY, &[]), piece).1?;
             let Some((v, label)) = self.farthest(&front, nothing) else { break };
             samples.push((v, units.to_mesh(label)));

@@ -53,10 +53,10 @@ pub const TAUT_SHIFT_PINNED: taut_shift = 1;
 /// The least distance of each component is moved to the least start distance.
 pub const TAUT_SHIFT_MIN: taut_shift = 2;
 
-/// Which code factors the sparse matrices. 0 means `TAUT_SOLVER_FAER`.
+/// Which code factors the sparse matrices. 0 means `TAUT_SOLVER_SUPERNODAL`.
 pub type taut_solver = u32;
-/// faer.
-pub const TAUT_SOLVER_FAER: taut_solver = 1;
+/// Supernodal Cholesky, A = L Lᵀ.
+pub const TAUT_SOLVER_SUPERNODAL: taut_solver = 1;
 /// sprs-ldl; only where the library was built with it, else TAUT_REASON_MISSING_FEATURE.
 pub const TAUT_SOLVER_LDL: taut_solver = 2;
 
@@ -418,7 +418,7 @@ fn heat_options(options: &taut_heat_options) -> Result<HeatOptions> {
         other => return Err(bad_enum("options.shift", other)),
     };
     let solver = match options.solver {
-        0 | TAUT_SOLVER_FAER => Solver::Faer,
+        0 | TAUT_SOLVER_SUPERNODAL => Solver::Supernodal,
         TAUT_SOLVER_LDL => Solver::Ldl,
         other => return Err(bad_enum("options.solver", other)),
     };

@@ -78,7 +78,7 @@ impl HeatSolver {
         piece.checkpoint(0.0)?;
         let flows = self.flows(&placed)?;
         piece.checkpoint(0.5)?;
-        let potentials = self.systems.potentials(&flows, &placed)?;
+        let potentials = self.systems.potentials(&flows, &placed, &piece.part(0.5, 1.0))?;
         piece.checkpoint(1.0)?;
         let fields = placed.into_iter().enumerate().map(|(k, placed)| HeatField {
             mesh: self.systems.mesh.clone(),
@@ -99,7 +99,12 @@ fn exactly<T, const K: usize>(things: impl IntoIterator<Item = T>) -> [T; K] {
 
 impl Systems {
     /// φ of K queries in units, up to a constant in each component.
-    pub(super) fn potentials<const K: usize>(&self, flows: &[Flow; K], placed: &[Placed; K]) -> Result<Vec<[f64; K]>> {
+    pub(super) fn potentials<const K: usize>(
+        &self,
+        flows: &[Flow; K],
+        placed: &[Placed; K],
+        piece: &Piece,
+    ) -> Result<Vec<[f64; K]>> {
         let pins: [Vec<&[Pin]>; K] = array::from_fn(|k| match self.options.shift {
             Shift::Pinned => placed[k].parts.iter().map(|part| part.pins.as_slice()).collect(),
             Shift::Min => Vec::new(),
@@ -110,20 +115,20 @@ impl Systems {
             (0..self.mesh.vertex_count()).map(|v| array::from_fn(|k| -flows[k].divergence[v])).collect();
         let mut phi = finite(self.poisson.solve_pinned(&b, &few)?)?;
         for k in (0..K).filter(|&k| has_many(&pins[k])) {
-            let held = self.potential_held(b.iter().map(|b| b[k]).collect(), &pins[k])?;
+            let held = self.potential_held(b.iter().map(|b| b[k]).collect(), &pins[k], piece)?;
             phi.iter_mut().zip(held).for_each(|(phi, [held])| phi[k] = held);
         }
         Ok(phi)
     }
 
     /// φ of one query whose pins are held by a factorisation of their own.
-    fn potential_held(&self, mut b: Vec<f64>, pins: &[&[Pin]]) -> Result<Vec<[f64; 1]>> {
+    fn potential_held(&self, mut b: Vec<f64>, pins: &[&[Pin]], piece: &Piece) -> Result<Vec<[f64; 1]>> {
         let mut is_held = vec![false; b.len()];
         for &(v, value) in pins.iter().copied().flatten() {
             is_held[v as usize] = true;
             b[v as usize] = value;
         }
-        let factor = self.factor_held(&is_held, &mut b)?;
+        let factor = self.factor_held(&is_held, &mut b, piece)?;
         finite(factor.solve(b.as_chunks::<1>().0))
     }
 

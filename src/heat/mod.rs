@@ -72,7 +72,7 @@ pub enum Shift {
 pub struct HeatOptions {
     /// On which triangulation the operators are built; the default is [`Laplacian::Intrinsic`].
     pub laplacian: Laplacian,
-    /// Which library factorises the matrices; the default is [`Solver::Faer`].
+    /// Which code factorises the matrices; the default is [`Solver::Supernodal`].
     pub solver: Solver,
     /// The time step t; the default is [`TimeFormula::MeanEdge`] at paper scale, times 1.
     pub time_step: TimeStep,
@@ -86,7 +86,7 @@ impl Default for HeatOptions {
     fn default() -> Self {
         HeatOptions {
             laplacian: Laplacian::Intrinsic,
-            solver: Solver::Faer,
+            solver: Solver::Supernodal,
             time_step: TimeStep::Formula { formula: TimeFormula::MeanEdge, scale: TimeScale::Paper, factor: 1.0 },
             boundary: 0.0,
             shift: Shift::Pinned,
@@ -166,8 +166,9 @@ impl HeatSolver {
     /// As [`HeatSolver::new`].
     pub fn with_time_step(&self, step: &TimeStep, control: &Control) -> Result<HeatSolver> {
         let time_step = step.unit_value(&self.systems.mesh, self.systems.scale)?;
-        control.checkpoint(0.0)?;
-        HeatSolver::timed(Arc::clone(&self.systems), time_step, control)
+        let piece = Piece::whole(control);
+        piece.checkpoint(0.0)?;
+        HeatSolver::timed(Arc::clone(&self.systems), time_step, &piece)
     }
 
     /// A solver with the options of this one for the same triangles in another place, as
@@ -223,20 +224,20 @@ impl HeatSolver {
     fn build(mesh: &Mesh, options: &HeatOptions, like: Option<&Systems>, control: &Control) -> Result<HeatSolver> {
         let scale = Scale::of(mesh);
         let time_step = options.time_step.unit_value(mesh, scale)?;
-        control.checkpoint(0.0)?;
-        let systems = Systems::new(mesh, scale, options, like, control)?;
-        HeatSolver::timed(Arc::new(systems), time_step, control)
+        let piece = Piece::whole(control);
+        piece.checkpoint(0.0)?;
+        let systems = Systems::new(mesh, scale, options, like, &piece.part(0.0, 0.7))?;
+        HeatSolver::timed(Arc::new(systems), time_step, &piece.part(0.7, 1.0))
     }
 
-    fn timed(systems: Arc<Systems>, time_step: f64, control: &Control) -> Result<HeatSolver> {
+    fn timed(systems: Arc<Systems>, time_step: f64, piece: &Piece) -> Result<HeatSolver> {
         let start = Instant::now();
-        let neumann = Arc::new(systems.factor_heat(time_step, false)?);
-        control.checkpoint(0.9)?;
+        let neumann = Arc::new(systems.factor_heat(time_step, false, &piece.part(0.0, 0.5))?);
         let dirichlet = match systems.options.boundary > 0.0 {
-            true => Some(Arc::new(systems.factor_heat(time_step, true)?)),
+            true => Some(Arc::new(systems.factor_heat(time_step, true, &piece.part(0.5, 1.0))?)),
             false => None,
         };
-        control.checkpoint(1.0)?;
+        piece.checkpoint(1.0)?;
         Ok(HeatSolver { systems, time_step, neumann, dirichlet, factor_time: start.elapsed() })
     }
 }

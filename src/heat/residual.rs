@@ -3,7 +3,7 @@
 use super::flow::finite;
 use super::place::Placed;
 use super::{HeatSolver, Shift};
-use crate::control::Control;
+use crate::control::{Control, Piece};
 use crate::error::Result;
 use crate::surface::source::Source;
 
@@ -26,7 +26,8 @@ impl HeatSolver {
     pub fn residuals(&self, sources: &[Source], control: &Control) -> Result<HeatResiduals> {
         let seeds = Source::checked(sources, &self.systems.mesh)?;
         let placed = [Placed::new((0, &seeds), &self.systems, self.time_step)?];
-        control.checkpoint(0.0)?;
+        let piece = Piece::whole(control);
+        piece.checkpoint(0.0)?;
         let operators = &self.systems.operators;
         let charges = self.charges(&placed);
         let u = finite(self.neumann.solve_sparse(&charges))?;
@@ -38,9 +39,9 @@ impl HeatSolver {
         {
             *left -= mass * u + self.time_step * flux;
         }
-        control.checkpoint(0.5)?;
+        piece.checkpoint(0.5)?;
         let flows = self.flows(&placed)?;
-        let phi = self.systems.potentials(&flows, &placed)?;
+        let phi = self.systems.potentials(&flows, &placed, &piece.part(0.5, 1.0))?;
         let divergence = &flows[0].divergence;
         let mut of_phi: Vec<f64> = divergence
             .iter()
@@ -51,7 +52,7 @@ impl HeatSolver {
             let pins = placed[0].parts.iter().flat_map(|part| &part.pins);
             pins.for_each(|&(v, _)| of_phi[v as usize] = 0.0);
         }
-        control.checkpoint(1.0)?;
+        piece.checkpoint(1.0)?;
         Ok(HeatResiduals {
             heat: share(largest(left.iter()), heat_put_in),
             poisson: share(largest(of_phi.iter()), largest(divergence.iter())),

@@ -2,7 +2,7 @@
 
 use super::boundary;
 use super::{HeatOptions, HeatReport, HeatTimes, Laplacian};
-use crate::control::Control;
+use crate::control::Piece;
 use crate::error::Result;
 use crate::linear::{self, Factor, Symbolic};
 use crate::mesh::Mesh;
@@ -46,7 +46,7 @@ impl Systems {
         scale: Scale,
         options: &HeatOptions,
         like: Option<&Systems>,
-        control: &Control,
+        piece: &Piece,
     ) -> Result<Systems> {
         let mut watch = Stopwatch(Instant::now());
         let mut times = HeatTimes::default();
@@ -57,10 +57,10 @@ impl Systems {
             Laplacian::Plain => delaunay::Flips::default(),
         };
         times.delaunay = watch.lap();
-        control.checkpoint(0.1)?;
+        piece.checkpoint(0.1)?;
         let operators = Operators::new(metric, mesh.vertex_count());
         times.assembly = watch.lap();
-        control.checkpoint(0.2)?;
+        piece.checkpoint(0.2)?;
         let pattern = operators.stiffness.pattern();
         let symbolic = match like {
             Some(like) if like.operators.stiffness.pattern() == pattern => Arc::clone(&like.symbolic),
@@ -68,16 +68,15 @@ impl Systems {
             None => {
                 let ordering = linear::order(pattern)?;
                 times.order = watch.lap();
-                control.checkpoint(0.4)?;
+                piece.checkpoint(0.5)?;
                 linear::analyze(options.solver, pattern, ordering)?
             }
         };
         times.symbolic = watch.lap();
-        control.checkpoint(0.5)?;
+        piece.checkpoint(0.6)?;
         let unused: Vec<bool> = mesh.topology().component.iter().map(|&component| component == NONE).collect();
-        let poisson = symbolic.factor(&grounded(&operators, mesh, &unused))?;
+        let poisson = symbolic.factor(&grounded(&operators, mesh, &unused), &piece.part(0.6, 1.0))?;
         times.poisson = watch.lap();
-        control.checkpoint(0.7)?;
         let report = HeatReport {
             mollified,
             flips: flips.flips,
@@ -97,7 +96,7 @@ impl Systems {
     }
 
     /// M + t L, with u = 0 on the boundary if that is asked for; t in units squared.
-    pub(super) fn factor_heat(&self, t: f64, is_absorbed: bool) -> Result<Factor> {
+    pub(super) fn factor_heat(&self, t: f64, is_absorbed: bool, piece: &Piece) -> Result<Factor> {
         let stiffness = &self.operators.stiffness;
         let mut values: Vec<f64> = stiffness.values().iter().map(|value| t * value).collect();
         for (mass, &diagonal) in self.operators.mass.iter().zip(stiffness.col_offsets()) {
@@ -105,16 +104,16 @@ impl Systems {
         }
         let is_held = |v: usize| self.unused[v] || is_absorbed && self.on_boundary[v];
         boundary::hold(stiffness.pattern(), &mut values, is_held);
-        self.symbolic.factor(&values)
+        self.symbolic.factor(&values, piece)
     }
 
     /// L with some vertices held, and φ with their values in its place in `b`, which becomes the right-hand side.
-    pub(super) fn factor_held(&self, held: &[bool], b: &mut [f64]) -> Result<Factor> {
+    pub(super) fn factor_held(&self, held: &[bool], b: &mut [f64], piece: &Piece) -> Result<Factor> {
         let stiffness = &self.operators.stiffness;
         boundary::move_held(stiffness.pattern(), stiffness.values(), held, b);
         let mut values = grounded(&self.operators, &self.mesh, &self.unused);
         boundary::hold(stiffness.pattern(), &mut values, |v| held[v] || self.unused[v]);
-        self.symbolic.factor(&values)
+        self.symbolic.factor(&values, piece)
     }
 }
 

@@ -85,7 +85,7 @@ impl Part {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::faer::Analysis;
+    use crate::linear::faer;
     use proptest::prelude::*;
     use std::sync::Arc;
 
@@ -124,7 +124,7 @@ mod tests {
 
     /// The squares of the column counts of the factor: how many operations it takes.
     fn work(pattern: &SparsityPattern, order: Vec<u32>) -> f64 {
-        let structure = Analysis::new(pattern, Arc::new(Ordering::new(order))).unwrap().structure;
+        let structure = faer::structure(pattern, Arc::new(Ordering::new(order))).unwrap();
         structure.column_counts().map(|count| (count as f64).powi(2)).sum()
     }
 

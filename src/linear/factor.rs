@@ -4,9 +4,8 @@
 //! P A Pᵀ = L Lᵀ      L y = P b      Lᵀ P x = y
 //! ```
 //!
-//! P is the ordering. L is kept in *supernodes*: neighbouring columns whose entries lie in the same rows, as one dense
-//! block each. The parent of a supernode owns the first row below its block; a right-hand side with few entries fills y
-//! only on the way from these entries up to the root, so that forward solve is short.
+//! P is the ordering. A right-hand side with few entries fills y only on the way from their supernodes up to the root, so
+//! that forward solve is short.
 //!
 //! K right-hand sides are solved at once, side by side: each entry of L is then fetched once for all. What is computed for
 //! one of them does not depend on the others nor on K, to the bit.
@@ -16,57 +15,18 @@
 //!
 //! References: T. A. Davis: Direct Methods for Sparse Linear Systems. SIAM, 2006.
 
-use super::ordering::Ordering;
-use pulp::Arch;
+use super::structure::Structure;
+use super::values::Values;
+use pulp::{Arch, NullaryFnOnce};
 use std::array;
 use std::sync::Arc;
-
-/// Where the entries of a factor are.
-#[derive(Debug)]
-pub(crate) struct Structure {
-    pub(super) ordering: Arc<Ordering>,
-    /// The first column of each supernode, and at last the number of columns.
-    columns: Vec<u32>,
-    /// The rows below the diagonal block of each supernode, ascending.
-    rows: Vec<u32>,
-    /// Where those of each supernode begin, and at last where they end.
-    row_start: Vec<u32>,
-    /// Where the block of each supernode begins among the values.
-    value_start: Vec<usize>,
-    /// The supernode of each column.
-    supernode_of: Vec<u32>,
-}
-
-impl Structure {
-    pub(super) fn new(
-        ordering: Arc<Ordering>,
-        columns: Vec<u32>,
-        rows: Vec<u32>,
-        row_start: Vec<u32>,
-        value_start: Vec<usize>,
-    ) -> Structure {
-        let mut supernode_of = Vec::with_capacity(ordering.rows().len());
-        for (s, &end) in (0..).zip(&columns[1..]) {
-            supernode_of.resize(end as usize, s);
-        }
-        Structure { ordering, columns, rows, row_start, value_start, supernode_of }
-    }
-
-    /// How many entries each column has from the diagonal on.
-    #[cfg(test)]
-    pub(super) fn column_counts(&self) -> impl Iterator<Item = usize> {
-        let ends = self.supernode_of.iter().map(|&s| (s as usize, self.columns[s as usize + 1] as usize));
-        ends.enumerate().map(|(j, (s, end))| end - j + (self.row_start[s + 1] - self.row_start[s]) as usize)
-    }
-}
 
 /// The factor L of a matrix; any number of threads may solve with it.
 #[derive(Debug)]
 pub(crate) struct Factor {
     structure: Arc<Structure>,
-    /// The blocks, each in columns: the rows of its diagonal block first (only the lower triangle counts), then those
-    /// below.
-    values: Vec<f64>,
+    /// The blocks.
+    values: Values,
 }
 
 /// How many sums a product of vectors is added up in.
@@ -206,24 +166,65 @@ impl Supernode<'_> {
     }
 }
 
+/// The forward solve over some supernodes, with the instructions that the machine has. These change no bit: no sum is
+/// reordered, no product fused.
+struct Forward<'a, I, const K: usize> {
+    factor: &'a Factor,
+    supernodes: I,
+    y: &'a mut [[f64; K]],
+}
+
+impl<I: Iterator<Item = usize>, const K: usize> NullaryFnOnce for Forward<'_, I, K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let mut t = Vec::new();
+        for s in self.supernodes {
+            self.factor.supernode(s).forward(self.y, &mut t);
+        }
+    }
+}
+
+/// The backward solve over some supernodes, with the instructions that the machine has. These change no bit: no sum is
+/// reordered, no product fused.
+struct Backward<'a, I, const K: usize> {
+    factor: &'a Factor,
+    supernodes: I,
+    y: &'a mut [[f64; K]],
+}
+
+impl<I: Iterator<Item = usize>, const K: usize> NullaryFnOnce for Backward<'_, I, K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let mut t = Vec::new();
+        for s in self.supernodes {
+            self.factor.supernode(s).backward(self.y, &mut t);
+        }
+    }
+}
+
 impl Factor {
-    pub(super) fn new(structure: Arc<Structure>, values: Vec<f64>) -> Factor {
+    pub(super) fn new(structure: Arc<Structure>, values: Values) -> Factor {
         Factor { structure, values }
     }
 
     /// How many rows the matrix has.
     pub(crate) fn size(&self) -> usize {
-        self.structure.supernode_of.len()
+        self.structure.size()
     }
 
     #[inline(always)]
     fn supernode(&self, s: usize) -> Supernode<'_> {
         let structure = &*self.structure;
-        let [first, end] = [0, 1].map(|i| structure.columns[s + i] as usize);
-        let rows = &structure.rows[structure.row_start[s] as usize..structure.row_start[s + 1] as usize];
-        let width = end - first;
-        let start = structure.value_start[s];
-        Supernode { first, width, rows, block: &self.values[start..start + width * (width + rows.len())] }
+        Supernode {
+            first: structure.columns(s).start as usize,
+            width: structure.width(s),
+            rows: structure.rows(s),
+            block: &self.values[structure.block(s)],
+        }
     }
 
     /// Solves A x = b.
@@ -244,22 +245,19 @@ impl Factor {
     /// y = L⁻¹ P b.
     pub(super) fn forward<const K: usize>(&self, b: &[[f64; K]]) -> Vec<[f64; K]> {
         let mut y: Vec<[f64; K]> = self.structure.ordering.rows().iter().map(|&row| b[row as usize]).collect();
-        self.forward_over(0..self.structure.columns.len() - 1, &mut y);
+        self.forward_over(0..self.structure.count(), &mut y);
         y
     }
 
-    /// The forward solve over supernodes in ascending order, with the instructions that the machine has. These change no
-    /// bit: no sum is reordered, no product fused.
+    /// The forward solve over supernodes in ascending order.
     fn forward_over<const K: usize>(&self, supernodes: impl Iterator<Item = usize>, y: &mut [[f64; K]]) {
-        let mut t = Vec::new();
-        Arch::new().dispatch(|| supernodes.for_each(|s| self.supernode(s).forward(y, &mut t)));
+        Arch::new().dispatch(Forward { factor: self, supernodes, y });
     }
 
     /// Replaces y by L⁻ᵀ y.
     pub(super) fn backward<const K: usize>(&self, y: &mut [[f64; K]]) {
-        let mut t = Vec::new();
-        let supernodes = (0..self.structure.columns.len() - 1).rev();
-        Arch::new().dispatch(|| supernodes.for_each(|s| self.supernode(s).backward(y, &mut t)));
+        let supernodes = (0..self.structure.count()).rev();
+        Arch::new().dispatch(Backward { factor: self, supernodes, y });
     }
 
     /// Pᵀ x.
@@ -271,8 +269,7 @@ impl Factor {
     /// entries there. `scratch` is as long as the matrix, and zero before and after.
     pub(super) fn inverse_column(&self, row: u32, scratch: &mut [[f64; 1]]) -> Vec<(u32, f64)> {
         let reach = self.forward_from(&[(row, [1.0])], scratch);
-        let columns =
-            reach.iter().flat_map(|&s| self.structure.columns[s as usize]..self.structure.columns[s as usize + 1]);
+        let columns = reach.iter().flat_map(|&s| self.structure.columns(s as usize));
         columns.map(|column| (column, std::mem::take(&mut scratch[column as usize])[0])).collect()
     }
 
@@ -291,17 +288,16 @@ impl Factor {
     /// The supernodes on the ways from these columns to the root, in ascending order.
     fn reach(&self, columns: impl Iterator<Item = u32>) -> Vec<u32> {
         let structure = &*self.structure;
-        let mut is_reached = vec![false; structure.columns.len() - 1];
+        let mut is_reached = vec![false; structure.count()];
         let mut reach = Vec::new();
         for column in columns {
-            let mut s = structure.supernode_of[column as usize];
-            while !std::mem::replace(&mut is_reached[s as usize], true) {
-                reach.push(s);
-                let [start, end] = [0, 1].map(|i| structure.row_start[s as usize + i]);
-                if start == end {
-                    break;
+            let mut s = structure.supernode_of(column);
+            while !std::mem::replace(&mut is_reached[s], true) {
+                reach.push(s as u32); // fits: fewer than columns
+                match structure.rows(s).first() {
+                    Some(&row) => s = structure.supernode_of(row),
+                    None => break,
                 }
-                s = structure.supernode_of[structure.rows[start as usize] as usize];
             }
         }
         reach.sort_unstable();

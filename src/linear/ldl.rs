@@ -2,9 +2,12 @@
 //!
 //! sprs-ldl is LGPL-2.1; it takes the whole matrix, so the lower triangle is mirrored.
 
-use super::factor::{Factor, Structure};
+use super::factor::Factor;
 use super::ordering::Ordering;
+use super::structure::Structure;
+use super::values::Values;
 use super::{Symbolic, not_positive_definite};
+use crate::control::Piece;
 use crate::error::Result;
 use nalgebra_sparse::pattern::SparsityPattern;
 use sprs::{CsMatView, PermOwned, SymmetryCheck};
@@ -60,7 +63,7 @@ fn mirrored(pattern: &SparsityPattern) -> (Vec<usize>, Vec<usize>, Vec<usize>) {
 }
 
 impl Symbolic for Analysis {
-    fn factor(&self, values: &[f64]) -> Result<Factor> {
+    fn factor(&self, values: &[f64], _: &Piece) -> Result<Factor> {
         let n = self.column_starts.len() - 1;
         if n < 2 {
             return self.of_one_row(values);
@@ -70,7 +73,7 @@ impl Symbolic for Analysis {
         let numeric = self.symbolic.clone().factor(matrix).map_err(|_| not_positive_definite())?;
         // sprs-ldl stops only at a pivot that is exactly 0; NaN is not positive either.
         if numeric.d().iter().all(|&pivot| pivot > 0.0) {
-            Ok(self.simplicial(&numeric))
+            self.simplicial(&numeric)
         } else {
             Err(not_positive_definite())
         }
@@ -83,7 +86,7 @@ impl Symbolic for Analysis {
 
 impl Analysis {
     /// L D Lᵀ as L √D (L √D)ᵀ: each column is a supernode of its own.
-    fn simplicial(&self, numeric: &LdlNumeric<f64, usize>) -> Factor {
+    fn simplicial(&self, numeric: &LdlNumeric<f64, usize>) -> Result<Factor> {
         let (l, d) = (numeric.l(), numeric.d());
         let mut columns = Columns::default();
         for (j, column) in l.outer_iterator().enumerate() {
@@ -103,7 +106,7 @@ impl Analysis {
             }
             columns.push(pivot.sqrt(), &[]);
         }
-        Ok(columns.factor(Arc::clone(&self.ordering)))
+        columns.factor(Arc::clone(&self.ordering))
     }
 }
 
@@ -112,7 +115,6 @@ impl Analysis {
 struct Columns {
     row_start: Vec<u32>,
     rows: Vec<u32>,
-    value_start: Vec<usize>,
     values: Vec<f64>,
 }
 
@@ -120,17 +122,18 @@ impl Columns {
     /// A column of `diagonal` times 1 and what is below.
     fn push(&mut self, diagonal: f64, below: &[(usize, f64)]) {
         self.row_start.push(self.rows.len() as u32);
-        self.value_start.push(self.values.len());
         self.values.push(diagonal);
         self.values.extend(below.iter().map(|&(_, value)| value * diagonal));
         self.rows.extend(below.iter().map(|&(row, _)| row as u32));
     }
 
-    fn factor(mut self, ordering: Arc<Ordering>) -> Factor {
+    fn factor(mut self, ordering: Arc<Ordering>) -> Result<Factor> {
         let count = self.row_start.len() as u32;
         self.row_start.push(self.rows.len() as u32);
-        let Columns { row_start, rows, value_start, values } = self;
-        let structure = Structure::new(ordering, (0..=count).collect(), rows, row_start, value_start);
-        Factor::new(Arc::new(structure), values)
+        let Columns { row_start, rows, values } = self;
+        let structure = Structure::new(ordering, (0..=count).collect(), rows, row_start);
+        let mut kept = Values::zeros(values.len())?;
+        kept.copy_from_slice(&values);
+        Ok(Factor::new(Arc::new(structure), kept))
     }
 }

@@ -4,13 +4,14 @@
 //! matrix with that pattern is then factorised without that work; a factor solves any number of right-hand sides. Only
 //! the lower triangle of A is given: a nalgebra-sparse pattern in columns, and its values in the same order.
 //!
-//! This is the only place that names a solver crate. Both backends run on the calling thread, so the bits of a solution
+//! This is the only place that names a solver crate. Both codes run on the calling thread, so the bits of a solution
 //! do not depend on how many threads there are.
 //!
 //! Cost, for a mesh of V vertices: about V log V entries in the factor, and V^1.5 time to compute them.
 //!
 //! References: T. A. Davis: Direct Methods for Sparse Linear Systems. SIAM, 2006.
 
+mod cholesky;
 mod constrained;
 mod dissection;
 mod factor;
@@ -20,7 +21,10 @@ mod graph;
 mod ldl;
 mod ordering;
 mod separator;
+mod structure;
+mod values;
 
+use crate::control::Piece;
 use crate::error::{Error, Reason, Result};
 use nalgebra_sparse::pattern::SparsityPattern;
 use std::fmt::Debug;
@@ -30,11 +34,11 @@ pub(crate) use constrained::Pin;
 pub(crate) use factor::Factor;
 pub(crate) use ordering::Ordering;
 
-/// Which library factorises the matrices.
+/// Which code factorises the matrices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Solver {
-    /// faer: supernodal Cholesky, A = L Lᵀ. The fast one, and the default.
-    Faer,
+    /// Supernodal Cholesky, A = L Lᵀ. The fast one, and the default.
+    Supernodal,
     /// sprs-ldl: up-looking A = L D Lᵀ, an independent second opinion. Needs the feature `ldl`, without which
     /// [`Reason::MissingFeature`] is returned.
     Ldl,
@@ -45,8 +49,8 @@ pub(crate) trait Symbolic: Debug + Send + Sync {
     /// Factorises the matrix with this pattern and the given lower triangle.
     ///
     /// # Errors
-    /// [`Reason::NotPositiveDefinite`], [`Reason::OutOfMemory`].
-    fn factor(&self, values: &[f64]) -> Result<Factor>;
+    /// [`Reason::NotPositiveDefinite`], [`Reason::OutOfMemory`], and those of a checkpoint.
+    fn factor(&self, values: &[f64], piece: &Piece) -> Result<Factor>;
 
     /// The ordering of its rows, which may serve other patterns.
     fn ordering(&self) -> &Arc<Ordering>;
@@ -67,19 +71,12 @@ pub(crate) fn order(pattern: &SparsityPattern) -> Result<Arc<Ordering>> {
 /// suffice.
 pub(crate) fn analyze(solver: Solver, pattern: &SparsityPattern, ordering: Arc<Ordering>) -> Result<Arc<dyn Symbolic>> {
     match solver {
-        Solver::Faer => Ok(Arc::new(faer::Analysis::new(pattern, ordering)?)),
+        Solver::Supernodal => Ok(Arc::new(cholesky::Analysis::new(pattern, ordering)?)),
         #[cfg(feature = "ldl")]
         Solver::Ldl => Ok(Arc::new(ldl::Analysis::new(pattern, ordering))),
         #[cfg(not(feature = "ldl"))]
         Solver::Ldl => Err(Error::new(Reason::MissingFeature, "solver: this build lacks the feature `ldl` (sprs-ldl)")),
     }
-}
-
-/// `len` zeros, or an error where they do not fit in memory.
-fn zeros(len: usize) -> Result<Vec<f64>> {
-    // Asked for and given back first: that makes a lack an error, and leaves zeroing to the system, page by page.
-    Vec::<f64>::new().try_reserve_exact(len).map_err(|_| out_of_memory())?;
-    Ok(vec![0.0; len])
 }
 
 fn out_of_memory() -> Error {
@@ -97,9 +94,11 @@ fn not_positive_definite() -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::control::Control;
     use std::array;
 
-    const SOLVERS: &[Solver] = if cfg!(feature = "ldl") { &[Solver::Faer, Solver::Ldl] } else { &[Solver::Faer] };
+    const SOLVERS: &[Solver] =
+        if cfg!(feature = "ldl") { &[Solver::Supernodal, Solver::Ldl] } else { &[Solver::Supernodal] };
 
     /// The lower triangle of a tridiagonal matrix.
     fn tridiagonal(n: usize) -> SparsityPattern {
@@ -120,7 +119,7 @@ mod tests {
             let symbolic = analyzed(solver, n);
             for diagonal in [2.0, 3.0] {
                 let values: Vec<f64> = (0..2 * n - 1).map(|i| if i % 2 == 0 { diagonal } else { -1.0 }).collect();
-                let factor = symbolic.factor(&values).unwrap();
+                let factor = symbolic.factor(&values, &Piece::whole(&Control::new())).unwrap();
                 let x = |i: usize| if i < n { (i as f64).sin() } else { 0.0 };
                 let b: Vec<[f64; 1]> =
                     (0..n).map(|i| [diagonal * x(i) - x(i + 1) - x(if i == 0 { n } else { i - 1 })]).collect();
@@ -134,10 +133,10 @@ mod tests {
     fn matrices_of_no_and_of_one_row() {
         for &solver in SOLVERS {
             let one = analyzed(solver, 1);
-            let x = one.factor(&[2.0]).unwrap().solve(&[[6.0]]);
+            let x = one.factor(&[2.0], &Piece::whole(&Control::new())).unwrap().solve(&[[6.0]]);
             assert!((x[0][0] - 3.0).abs() < 1e-15);
-            assert!(one.factor(&[-2.0]).is_err());
-            let solved = analyzed(solver, 0).factor(&[]).unwrap().solve::<1>(&[]);
+            assert!(one.factor(&[-2.0], &Piece::whole(&Control::new())).is_err());
+            let solved = analyzed(solver, 0).factor(&[], &Piece::whole(&Control::new())).unwrap().solve::<1>(&[]);
             assert!(solved.is_empty());
         }
     }
@@ -147,7 +146,7 @@ mod tests {
         for &solver in SOLVERS {
             let symbolic = analyzed(solver, 3);
             for values in [[0.0; 5], [1.0, -2.0, 1.0, -2.0, 1.0], [-1.0, 0.0, 1.0, 0.0, 1.0], [f64::NAN; 5]] {
-                let error = symbolic.factor(&values).unwrap_err();
+                let error = symbolic.factor(&values, &Piece::whole(&Control::new())).unwrap_err();
                 assert_eq!(error.reason(), Reason::NotPositiveDefinite, "{solver:?} {values:?}");
             }
         }
@@ -170,7 +169,10 @@ mod tests {
 
     fn grid_factor(solver: Solver, n: usize, extra: f64) -> Factor {
         let (pattern, values) = grid(n, extra);
-        analyze(solver, &pattern, order(&pattern).unwrap()).unwrap().factor(&values).unwrap()
+        analyze(solver, &pattern, order(&pattern).unwrap())
+            .unwrap()
+            .factor(&values, &Piece::whole(&Control::new()))
+            .unwrap()
     }
 
     /// Right-hand sides side by side have the bits that each has alone, and sparse ones those of full ones.
@@ -197,7 +199,10 @@ mod tests {
         for &solver in SOLVERS {
             let n = 400;
             let values: Vec<f64> = (0..2 * n - 1).map(|i| if i % 2 == 0 { 3.0 } else { -1.0 }).collect();
-            let x = analyzed(solver, n).factor(&values).unwrap().solve_sparse(&[(0, [1.0])]);
+            let x = analyzed(solver, n)
+                .factor(&values, &Piece::whole(&Control::new()))
+                .unwrap()
+                .solve_sparse(&[(0, [1.0])]);
             // x_i = (r^(n - i) - r^-(n - i)) / (r^(n + 1) - r^-(n + 1)) with r + 1 / r = 3.
             let log_r = ((3.0 + 5f64.sqrt()) / 2.0).ln();
             let sinh = |i: usize| (log_r * i as f64).exp() - (-log_r * i as f64).exp();
@@ -216,7 +221,10 @@ mod tests {
             let n = 20;
             let (pattern, mut values) = grid(n, 0.0);
             values[0] += 2.0;
-            let factor = analyze(solver, &pattern, order(&pattern).unwrap()).unwrap().factor(&values).unwrap();
+            let factor = analyze(solver, &pattern, order(&pattern).unwrap())
+                .unwrap()
+                .factor(&values, &Piece::whole(&Control::new()))
+                .unwrap();
             let mut b: Vec<[f64; 1]> = (0..n * n).map(|i| [(i as f64).cos()]).collect();
             let mean = b.iter().map(|b| b[0]).sum::<f64>() / b.len() as f64;
             b.iter_mut().for_each(|b| b[0] -= mean);

@@ -30,10 +30,10 @@ impl EdgeStats {
             return None;
         }
         let positions = scale.unit_positions(mesh);
-        let lengths = || edge_lengths(mesh, &positions);
+        let lengths: Vec<f64> = edge_lengths(mesh, &positions).collect();
         let count = edges.len() as f64;
-        let mean = lengths().sum::<f64>() / count;
-        let sigma = (lengths().map(|e| (e - mean) * (e - mean)).sum::<f64>() / count).sqrt();
+        let mean = lengths.iter().sum::<f64>() / count;
+        let sigma = (lengths.iter().map(|e| (e - mean) * (e - mean)).sum::<f64>() / count).sqrt();
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for p in edges.iter().flatten().map(|&v| positions[v as usize]) {
             low = [0, 1, 2].map(|k| low[k].min(p[k]));
