@@ -232,7 +232,7 @@ fn a_curve_counts_where_no_other_reaches_it_sooner() {
     let [first, second] = [0, 45].map(|column| along(&torus, ring(column), true));
     let [outer, inner] = [45, 30 * 90 + 45];
     let alone = field_of(&torus, first.clone());
-    let exact_alone = exact(&torus, &[first.clone()]);
+    let exact_alone = exact(&torus, std::slice::from_ref(&first));
     assert!(exact_alone[inner] < 2.0 && exact_alone[outer] > 2.7, "{} {}", exact_alone[inner], exact_alone[outer]);
 
     let partly = [first.clone(), second.clone().with_offset(2.5)];
