@@ -1,4 +1,5 @@
-//! The heat method, the stages of set-up, another time step and solve apart: on shapes made here and, where the corpus is, on real meshes.
+//! The heat method, the stages of set-up, another time step, solves from vertices and curves, and the paths down its
+//! distances apart: on shapes made here and, where the corpus is, on real meshes.
 //!
 //! ```text
 //! cargo bench --bench heat
@@ -9,7 +10,7 @@ mod meshes;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::time::Duration;
-use taut::{Control, HeatOptions, HeatSolver, HeatTimes, Source};
+use taut::{Control, HeatOptions, HeatSolver, HeatTimes, Mesh, Source, Target};
 
 /// A stage of a set-up, and the time that the solver itself tells of it.
 type Stage = (&'static str, fn(HeatTimes) -> Duration);
@@ -36,17 +37,36 @@ fn heat(criterion: &mut Criterion) {
             });
         }
         let solver = new();
-        let source = |i: usize| vec![Source::vertex(mesh.triangles()[i % mesh.triangle_count()][0])];
+        let vertex = |i: usize| mesh.triangles()[i % mesh.triangle_count()][0];
         group.bench_function("time step", |bencher| {
             bencher.iter(|| solver.with_time_step(&options.time_step, &control));
         });
-        group.bench_function("solve", |bencher| {
-            bencher.iter(|| solver.field(&[Source::vertex(meshes::source(&mesh))], &control));
-        });
-        let eight: Vec<Vec<Source>> = (0..8).map(|i| source(97 * i)).collect();
+        let source = [Source::vertex(meshes::source(&mesh))];
+        group.bench_function("solve", |bencher| bencher.iter(|| solver.field(&source, &control)));
+        let eight: Vec<Vec<Source>> = (0..8).map(|i| vec![Source::vertex(vertex(97 * i))]).collect();
         group.bench_function("eight rows", |bencher| bencher.iter(|| solver.distance_rows(&eight, 1, &control)));
+        let distances = solver.field(&source, &control).expect("a source").into_distances();
+        for (name, curves) in curves(&mesh, &distances, &source) {
+            group.bench_function(name, |bencher| bencher.iter(|| solver.field(&curves, &control)));
+        }
+        let targets: Vec<Target> = (0..100).map(|i| Target::Vertex(vertex(1009 * i))).collect();
+        group.bench_function("100 paths", |bencher| {
+            bencher.iter(|| taut::descent_paths(&mesh, &distances, &source, &targets));
+        });
         group.finish();
     }
+}
+
+/// Curves to start from: the path from the farthest vertex, and the lines half way to it.
+fn curves(mesh: &Mesh, distances: &[f64], source: &[Source]) -> [(&'static str, Vec<Source>); 2] {
+    let reached = (0..).zip(distances).filter(|(_, d)| d.is_finite());
+    let (farthest, d) = reached.max_by(|(_, a), (_, b)| a.total_cmp(b)).expect("a source reaches itself");
+    let paths = taut::descent_paths(mesh, distances, source, &[Target::Vertex(farthest)]).expect("its own field");
+    let lines = taut::isolines(mesh, distances, &[0.5 * d]).expect("its own field");
+    [
+        ("solve, path", paths.into_iter().flatten().map(|path| Source::curve(path.curve)).collect()),
+        ("solve, isoline", lines.into_iter().map(|line| Source::curve(line.curve)).collect()),
+    ]
 }
 
 criterion_group!(benches, heat);

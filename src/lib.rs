@@ -27,6 +27,10 @@
 //! assert!((farthest / std::f64::consts::PI - 1.0).abs() < 0.01);
 //! let off = heat.distances().iter().zip(exact.distances()).map(|(h, d)| (h - d).abs()).fold(0.0, f64::max);
 //! assert!(off < 0.02 * farthest);
+//!
+//! // As a renderer wants them.
+//! let single: Vec<f32> = heat.distances().iter().map(|&d| d as f32).collect();
+//! assert_eq!(single[0], 0.0);
 //! # Ok(()) }
 //! ```
 #![cfg_attr(not(feature = "capi"), forbid(unsafe_code))]

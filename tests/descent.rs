@@ -1,11 +1,14 @@
 //! Paths of steepest descent on distances of both methods and on made-up fields.
 
+#[path = "common/bad.rs"]
+mod bad;
 mod common;
 #[path = "common/places.rs"]
 mod places;
 #[path = "common/segments.rs"]
 mod segments;
 
+use bad::bad_meshes;
 use common::corpus;
 use places::{Random, euclid, field};
 use segments::{is_in, length};
@@ -365,22 +368,7 @@ fn paths_go_on_over_the_lowest_pass() {
 
 #[test]
 fn real_meshes_however_bad() {
-    let Some(folder) = corpus() else { return };
-    for name in [
-        "fandisk.off",
-        "moebius.obj",
-        "many_small_holes.ply",
-        "triceratops_slivers.off",
-        "mpi_near_degenerate.off",
-        "fan3_nm_edge.obj",
-        "hourglass_nm_vertex.obj",
-        "louvre_cad.obj",
-        "klingon_starship.off",
-        "office_chair_bad.obj",
-        "truck_nm.obj",
-        "boeing_soup.off",
-    ] {
-        let mesh = Mesh::read(folder.join(name)).unwrap();
+    for (name, mesh) in bad_meshes() {
         let sources = [Source::vertex(mesh.triangles()[mesh.triangle_count() / 2][0])];
         let targets = vertices(&mesh, 1 + mesh.vertex_count() / 500);
         let distances = exact(&mesh, &sources);

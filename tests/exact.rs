@@ -1,10 +1,14 @@
 //! Exact distances against closed forms and invariants.
 
 mod common;
+#[path = "common/places.rs"]
+mod places;
 
 use common::corpus;
+use places::{Random, euclid};
 use std::f64::consts::{PI, SQRT_2};
-use taut::{Control, Element, ExactField, ExactOptions, ExactSolver, Mesh, Reason, Source, Target, shapes};
+use taut::shapes::{self, Shape};
+use taut::{Control, Element, ExactField, ExactOptions, ExactSolver, Mesh, Reason, Source, Target};
 
 type Points = Vec<[f64; 3]>;
 type Triangles = Vec<[u32; 3]>;
@@ -30,30 +34,14 @@ fn assert_close(ours: &[f64], expected: &[f64], tolerance: f64) {
     }
 }
 
-/// A small deterministic generator of numbers in [0, 1).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
-
 /// An n by n grid of squares of side 1/n, each cut along a diagonal; `height` lifts it.
 fn grid(n: u32, height: impl Fn(f64, f64) -> f64) -> (Points, Triangles) {
-    let at = |i: u32| f64::from(i) / f64::from(n);
-    let points =
-        (0..=n).flat_map(|j| (0..=n).map(move |i| (i, j))).map(|(i, j)| [at(i), at(j), height(at(i), at(j))]).collect();
-    let corner = |i: u32, j: u32| j * (n + 1) + i;
-    let triangles = (0..n)
-        .flat_map(|j| (0..n).map(move |i| (i, j)))
-        .flat_map(|(i, j)| {
-            let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
-            if (i + j) % 2 == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] }
-        })
-        .collect();
-    (points, triangles)
+    let Shape { mut positions, triangles } = shapes::grid(n, n);
+    for [x, y, z] in &mut positions {
+        [*x, *y] = [*x, *y].map(|i| i / f64::from(n));
+        *z = height(*x, *y);
+    }
+    (positions, triangles)
 }
 
 fn rough(x: f64, y: f64) -> f64 {
@@ -73,10 +61,6 @@ fn without(n: u32, triangles: &[[u32; 3]], hole: impl Fn(u32, u32) -> bool) -> T
         !hole(i, j)
     };
     triangles.iter().enumerate().filter(|&(index, _)| keep(index)).map(|(_, t)| *t).collect()
-}
-
-fn euclid(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
 }
 
 #[test]

@@ -1,8 +1,15 @@
 //! The heat method against closed forms, the paper, itself, and meshes that break other codes.
 
+#[path = "common/bad.rs"]
+mod bad;
 mod common;
+#[path = "common/places.rs"]
+mod places;
 
+use bad::bad_meshes;
 use common::corpus;
+use places::{Random, euclid};
+use taut::shapes::{self, Shape};
 use taut::{
     Control, Element, Error, ExactOptions, ExactSolver, HeatOptions, HeatSolver, Laplacian, Mesh, Reason, Shift,
     Solver, Source, TimeFormula, TimeScale, TimeStep,
@@ -13,52 +20,12 @@ use taut::{
 /// Positions and triangles, still to be changed.
 type Buffers = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 
-/// The square [0, 1]² as n × n cells with diagonals in alternating directions; inner vertices are moved by up to
-/// `jitter` of a cell, always in the same way.
+/// The square [0, 1]² as n × n cells; inner vertices are moved by up to `jitter` of a cell, always in the same way.
 fn grid(n: u32, jitter: f64) -> Buffers {
-    let mut state = 1u64;
-    let mut random = || {
-        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
-    };
-    let (mut positions, mut triangles) = (Vec::new(), Vec::new());
-    for (y, x) in (0..=n).flat_map(|y| (0..=n).map(move |x| (y, x))) {
-        let mut moved = |i: u32| if i == 0 || i == n { 0.0 } else { 2.0 * jitter * random() };
-        let [dx, dy] = [moved(x), moved(y)];
-        positions.push([(f64::from(x) + dx) / f64::from(n), (f64::from(y) + dy) / f64::from(n), 0.0]);
-    }
-    for (y, x) in (0..n).flat_map(|y| (0..n).map(move |x| (y, x))) {
-        let [a, b] = [y * (n + 1) + x, y * (n + 1) + x + 1];
-        let [c, d] = [b + n + 1, a + n + 1];
-        triangles.extend(if (x + y) % 2 == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] });
-    }
-    (positions, triangles)
-}
-
-/// The unit sphere: an octahedron whose faces are cut into 4^levels.
-fn sphere(levels: u32) -> Buffers {
-    let mut positions =
-        vec![[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
-    let mut triangles: Vec<[u32; 3]> =
-        vec![[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
-    for _ in 0..levels {
-        let mut middles = std::collections::HashMap::new();
-        let mut middle = |a: u32, b: u32| {
-            *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
-                let sum = [0, 1, 2].map(|k| positions[a as usize][k] + positions[b as usize][k]);
-                let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
-                positions.push(sum.map(|x| x / length));
-                positions.len() as u32 - 1
-            })
-        };
-        triangles = triangles
-            .iter()
-            .flat_map(|&[a, b, c]| {
-                let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
-                [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
-            })
-            .collect();
-    }
+    let mut random = Random(1);
+    let mut moved = |i: f64| if i == 0.0 || i == f64::from(n) { i } else { i + jitter * (2.0 * random.next() - 1.0) };
+    let Shape { mut positions, triangles } = shapes::grid(n, n);
+    positions.iter_mut().for_each(|[x, y, _]| [*x, *y] = [*x, *y].map(|i| moved(i) / f64::from(n)));
     (positions, triangles)
 }
 
@@ -82,10 +49,6 @@ fn distances(mesh: &Mesh, options: &HeatOptions, sources: &[Source]) -> Vec<f64>
 
 fn refused(mesh: &Mesh, options: &HeatOptions) -> Error {
     HeatSolver::new(mesh, options, &Control::new()).unwrap_err()
-}
-
-fn euclid(a: [f64; 3], b: [f64; 3]) -> f64 {
-    [0, 1, 2].map(|k| (a[k] - b[k]) * (a[k] - b[k])).iter().sum::<f64>().sqrt()
 }
 
 /// Relative errors in percent; the source counts as an error of 0.
@@ -168,8 +131,8 @@ fn plane_error_is_small_and_falls_under_refinement() {
 
 #[test]
 fn sphere_error_is_small() {
-    let sphere = mesh(&sphere(5));
-    let exact: Vec<f64> = sphere.positions().iter().map(|p| p[0].clamp(-1.0, 1.0).acos()).collect();
+    let sphere = shapes::icosphere(5).mesh().unwrap();
+    let exact: Vec<f64> = sphere.positions().iter().map(|p| p[2].clamp(-1.0, 1.0).acos()).collect();
     for laplacian in [Laplacian::Intrinsic, Laplacian::Plain] {
         let options = HeatOptions { laplacian, ..HeatOptions::default() };
         let error = mean(&errors(&distances(&sphere, &options, &[Source::vertex(0)]), &exact));
@@ -267,8 +230,7 @@ fn threads_share_a_solver() {
 #[cfg(feature = "ldl")]
 #[test]
 fn both_backends_agree() {
-    for buffers in [grid(30, 0.3), sphere(4)] {
-        let mesh = mesh(&buffers);
+    for mesh in [mesh(&grid(30, 0.3)), shapes::icosphere(4).mesh().unwrap()] {
         for (shift, boundary) in [(Shift::Pinned, 0.0), (Shift::Min, 0.0), (Shift::Pinned, 0.5)] {
             let options = HeatOptions { shift, boundary, ..HeatOptions::default() };
             let sources = [Source::vertex(100), Source::vertex(500).with_offset(0.1)];
@@ -361,7 +323,7 @@ fn boundary_blends_from_neumann_to_dirichlet() {
     // Isolines meet the boundary at right angles, or run along it; the truth is between.
     assert!(average < neumann && average < dirichlet, "{neumann} {average} {dirichlet}");
     // A mesh without boundary does not notice.
-    let sphere = mesh(&sphere(3));
+    let sphere = shapes::icosphere(3).mesh().unwrap();
     let [a, b] = [0.0, 1.0]
         .map(|boundary| distances(&sphere, &HeatOptions { boundary, ..HeatOptions::default() }, &[Source::vertex(9)]));
     assert_eq!(bits(&a), bits(&b));
@@ -521,21 +483,7 @@ fn a_mesh_without_vertices_or_triangles() {
 
 #[test]
 fn corpus_soups_are_survived() {
-    let Some(folder) = corpus() else { return };
-    for name in [
-        "beetle_lowres_nm.obj",
-        "boeing_soup.off",
-        "fan3_nm_edge.obj",
-        "hero_soup.off",
-        "hourglass_nm_vertex.obj",
-        "klingon_starship.off",
-        "moebius.obj",
-        "mpi_near_degenerate.off",
-        "office_chair_bad.obj",
-        "suzanne.obj",
-        "triceratops_slivers.off",
-        "truck_nm.obj",
-    ] {
-        assert!(survives(name, &Mesh::read(folder.join(name)).unwrap()), "{name}");
+    for (name, mesh) in bad_meshes() {
+        assert!(survives(name, &mesh), "{name}");
     }
 }

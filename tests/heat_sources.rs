@@ -74,13 +74,17 @@ fn the_front_runs_on_in_the_plane() {
 #[test]
 fn large_start_distances_come_in_late() {
     let sheet = shapes::grid(1500, 2).mesh().unwrap();
-    let sources = [Source::vertex(0), Source::vertex(1500).with_offset(1000.0)];
-    let field = field(&sheet, &times(1.0), &sources);
-    let exact = exact(&sheet, &sources);
-    let off = field.distances().iter().zip(&exact).map(|(d, e)| (d - e).abs()).fold(0.0, f64::max);
-    // On this grid heat decays by e^-0.87 for each cell, a start distance by e^-0.88: over a thousand that is fifteen cells.
-    assert!(field.restarts() >= 1 && off < 30.0, "{off}");
-    assert_eq!(field.distances()[1500], 1000.0);
+    let side = |column: u32| along(&sheet, (0..3).map(|row| row * 1501 + column), false);
+    for [near, late] in [[0, 1500].map(Source::vertex), [0, 1500].map(side)] {
+        let sources = [near, late.with_offset(1000.0)];
+        let field = field(&sheet, &times(1.0), &sources);
+        let exact = exact(&sheet, &sources);
+        let off = field.distances().iter().zip(&exact).map(|(d, e)| (d - e).abs()).fold(0.0, f64::max);
+        // On this grid heat decays by e^-0.87 for each cell, a start distance by e^-0.88: over a thousand that is fifteen
+        // cells.
+        assert!(field.restarts() >= 1 && off < 30.0, "{off}");
+        assert_eq!(field.distances()[1500], 1000.0);
+    }
 }
 
 /// Where the boundary absorbs all heat u is 0: that is no fading. A strip along which heat fades is no worse than a short one.
@@ -167,21 +171,21 @@ fn field_of(mesh: &Mesh, source: Source) -> Vec<f64> {
     field(mesh, &HeatOptions::default(), &[source]).into_distances()
 }
 
+/// A curve through vertices, along edges.
+fn along(mesh: &Mesh, vertices: impl Iterator<Item = u32>, is_closed: bool) -> Source {
+    let at = |v: u32| {
+        let face = mesh.triangles().iter().position(|triangle| triangle.contains(&v)).unwrap();
+        inside(face as u32, mesh.triangles()[face].map(|corner| f64::from(corner == v)))
+    };
+    Source::curve(Curve { points: vertices.map(at).collect(), is_closed })
+}
+
 /// Very many pins are held by a factorisation of their own: the same distances as by multipliers.
 #[test]
 fn long_curves_hold_their_vertices() {
     let plane = shapes::grid(400, 12).mesh().unwrap();
-    let row = |count: u32| {
-        let at = |v: u32| {
-            let face = (0..plane.triangle_count()).find(|&f| plane.triangles()[f].contains(&v)).unwrap();
-            let corner = plane.triangles()[face].map(|corner| f64::from(corner == v));
-            inside(face as u32, corner)
-        };
-        let points = (0..count).map(|i| at(6 * 401 + i)).collect();
-        Source::curve(Curve { points, is_closed: false })
-    };
     for count in [20, 400] {
-        let source = [row(count)];
+        let source = [along(&plane, (0..count).map(|i| 6 * 401 + i), false)];
         let d = field(&plane, &HeatOptions::default(), &source).into_distances();
         assert!(mean_error(&d, &exact(&plane, &source)) < 2.5);
         assert!((0..count as usize).all(|i| d[6 * 401 + i] == 0.0));
@@ -217,6 +221,34 @@ fn a_source_that_another_reaches_sooner_does_not_count() {
     // One that is not reached sooner does.
     let near = [Source::vertex(820), Source::vertex(800).with_offset(15.0)];
     assert_eq!(field(&plane, &HeatOptions::default(), &near).distances()[800], 15.0);
+}
+
+/// Two rings around the tube of a torus, opposite each other. The inner side of the second is 1.9 from the first and the
+/// outer one 2.7: of a start distance between them only the outer side counts, of a larger one nothing.
+#[test]
+fn a_curve_counts_where_no_other_reaches_it_sooner() {
+    let torus = shapes::torus(90, 60, 1.0, 0.4).mesh().unwrap();
+    let ring = |column: u32| (0..60).map(move |row| row * 90 + column);
+    let [first, second] = [0, 45].map(|column| along(&torus, ring(column), true));
+    let [outer, inner] = [45, 30 * 90 + 45];
+    let alone = field_of(&torus, first.clone());
+    let exact_alone = exact(&torus, std::slice::from_ref(&first));
+    assert!(exact_alone[inner] < 2.0 && exact_alone[outer] > 2.7, "{} {}", exact_alone[inner], exact_alone[outer]);
+
+    let partly = [first.clone(), second.clone().with_offset(2.5)];
+    let expected = exact(&torus, &partly);
+    let by_heat = field(&torus, &HeatOptions::default(), &partly);
+    let d = by_heat.distances();
+    assert!(d[outer] == 2.5 && (d[inner] / expected[inner] - 1.0).abs() < 0.05, "{} {}", d[outer], d[inner]);
+    let nearest = by_heat.nearest_sources();
+    assert_eq!([nearest[outer], nearest[inner]], [Some(1), Some(0)]);
+    let [error, error_alone] = [mean_error(d, &expected), mean_error(&alone, &exact_alone)];
+    assert!(error < 1.1 * error_alone, "{error} beside {error_alone}");
+
+    let wholly = field(&torus, &HeatOptions::default(), &[first, second.with_offset(5.0)]);
+    let off = wholly.distances().iter().zip(&alone).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-9, "{off}");
+    assert!(wholly.nearest_sources().iter().all(|&source| source == Some(0)));
 }
 
 /// Rows have the bits of fields, for any number of threads; errors count sources through all sets.

@@ -1,12 +1,14 @@
 //! Distances, paths and nearest sources of any point of the surface.
 
+#[path = "common/bad.rs"]
+mod bad;
 mod common;
 #[path = "common/places.rs"]
 mod places;
 #[path = "common/segments.rs"]
 mod segments;
 
-use common::corpus;
+use bad::bad_meshes;
 use places::{Random, field};
 use segments::{is_in, length};
 use taut::{Curve, ExactField, Mesh, Source, SurfacePoint, Target, shapes};
@@ -65,21 +67,7 @@ fn paths_are_as_long_as_distances() {
 
 #[test]
 fn paths_on_the_corpus_are_as_long_as_distances() {
-    for name in [
-        "bunny_stanford_unref.obj.gz",
-        "fandisk.off",
-        "moebius.obj",
-        "many_small_holes.ply",
-        "triceratops_slivers.off",
-        "mpi_near_degenerate.off",
-        "fan3_nm_edge.obj",
-        "hourglass_nm_vertex.obj",
-        "louvre_cad.obj",
-        "klingon_starship.off",
-        "teapot.obj",
-    ] {
-        let Some(folder) = corpus() else { return };
-        let mesh = Mesh::read(folder.join(name)).unwrap();
+    for (name, mesh) in bad_meshes() {
         let source = mesh.triangles()[mesh.triangle_count() / 2][0];
         check_vertex_paths(&mesh, &field(&mesh, &[Source::vertex(source)]), 1 + mesh.vertex_count() / 5000, name);
     }

@@ -1,10 +1,11 @@
 //! The cells of a Voronoi diagram: which part of the surface is nearest to which source.
 //!
 //! Where the ends of an edge have different nearest sources, the border between them is looked for on the edge by
-//! bisection. Across a triangle it is taken for straight; three cells meet in the middle of their places on its edges. So
-//! each triangle is cut into parts of one cell. What of a cell has no vertex is missed.
+//! bisection, in an exact field; heat knows vertices alone, and the border is in the middle. Across a triangle it is taken
+//! for straight; three cells meet in the middle of their places on its edges. So each triangle is cut into parts of one
+//! cell. What of a cell has no vertex is missed.
 //!
-//! O(V + F) and [`BISECTIONS`] questions for each edge between two cells.
+//! O(V + F) and, in an exact field, [`BISECTIONS`] questions for each edge between two cells.
 
 use std::collections::{BTreeSet, HashMap};
 use taut::{ExactField, Mesh, SurfacePoint, Target};
@@ -24,11 +25,12 @@ pub(crate) struct Cells {
 }
 
 impl Cells {
-    /// Of a field that keeps its windows.
-    pub(crate) fn new(mesh: &Mesh, field: &ExactField) -> taut::Result<Cells> {
+    /// By the nearest source of each vertex and, for places between vertices, the exact field that this comes from, if it
+    /// does; it keeps its windows.
+    pub(crate) fn new(mesh: &Mesh, nearest: &[Option<u32>], field: Option<&ExactField>) -> taut::Result<Cells> {
         let mut cells = Cells {
             positions: mesh.positions().to_vec(),
-            nearest: field.nearest_sources().collect(),
+            nearest: nearest.to_vec(),
             triangles: Vec::with_capacity(mesh.triangle_count()),
             neighbours: BTreeSet::new(),
         };
@@ -136,7 +138,7 @@ fn area([a, b, c]: [[f64; 3]; 3]) -> f64 {
 
 /// Where borders cross edges.
 struct Edges<'a> {
-    field: &'a ExactField,
+    field: Option<&'a ExactField>,
     /// By the vertices of an edge, the lesser first: how far from that one.
     found: HashMap<[u32; 2], f64>,
 }
@@ -157,6 +159,7 @@ impl Edges<'_> {
             [barycentric[from], barycentric[to]] = [1.0 - share, share];
             SurfacePoint { face, barycentric }
         };
+        let Some(field) = self.field else { return Ok(point(0.5)) };
         let key = [triangle[from], triangle[to]];
         if let Some(&share) = self.found.get(&key) {
             return Ok(point(share));
@@ -164,7 +167,7 @@ impl Edges<'_> {
         let [mut low, mut high] = [0.0, 1.0];
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (low + high);
-            let is_same = self.field.nearest_source(Target::Point(point(middle)))? == nearest[from];
+            let is_same = field.nearest_source(Target::Point(point(middle)))? == nearest[from];
             *(if is_same { &mut low } else { &mut high }) = middle;
         }
         let share = 0.5 * (low + high);
@@ -184,7 +187,7 @@ mod tests {
         let sources: Vec<Source> = (0..60).map(|i| Source::vertex(i * 42)).collect();
         let options = ExactOptions { keep_windows: true, ..ExactOptions::default() };
         let field = ExactSolver::new(&mesh).unwrap().field(&sources, &options, &Control::new()).unwrap();
-        let cells = Cells::new(&mesh, &field).unwrap();
+        let cells = Cells::new(&mesh, &field.nearest_sources().collect::<Vec<_>>(), Some(&field)).unwrap();
         let colours = cells.colours(60, 8);
         assert!(cells.neighbours.len() > 100 && cells.neighbours.iter().any(|&[s, t]| (s - t) % 8 == 0));
         assert!(cells.neighbours.iter().all(|&[s, t]| colours[s as usize] != colours[t as usize]));

@@ -74,19 +74,14 @@ impl Field {
         targets: Vec<Target>,
     ) -> taut::Result<Field> {
         match args.method {
-            Method::Heat => heat_field(&args.heat, mesh, sources),
+            Method::Heat => heat(args, mesh, sources),
             Method::Exact => exact(args, mesh, sources, targets),
         }
     }
 }
 
-/// The distances by heat.
-pub(crate) fn heat_field(args: &HeatArgs, mesh: &Mesh, sources: &[Source]) -> taut::Result<Field> {
-    let options = args.options();
-    let (solver, setup) = measured("setup", |control| HeatSolver::new(mesh, &options, control));
-    let solver = solver?;
-    let (field, solve) = measured("solve", |control| solver.field(sources, control));
-    let field = field?;
+fn heat(args: &FieldArgs, mesh: &Mesh, sources: &[Source]) -> taut::Result<Field> {
+    let (solver, field, [setup, solve]) = heat_field(&args.heat, mesh, sources)?;
     let heat = Some(HeatFacts::new(&solver.report(), &field));
     let (distances, final_radius) = (field.into_distances(), f64::INFINITY);
     Ok(Field { distances, final_radius, time_step: Some(solver.time_step()), heat, setup, solve })
@@ -97,6 +92,19 @@ fn exact(args: &FieldArgs, mesh: &Mesh, sources: &[Source], targets: Vec<Target>
     let (field, [setup, solve]) = exact_field(&args.exact, mesh, sources, &options)?;
     let (distances, final_radius) = (field.distances().to_vec(), field.final_radius());
     Ok(Field { distances, final_radius, time_step: None, heat: None, setup, solve })
+}
+
+/// What the heat method finds, with its solver, and the seconds of set-up and solve.
+pub(crate) fn heat_field(
+    args: &HeatArgs,
+    mesh: &Mesh,
+    sources: &[Source],
+) -> taut::Result<(HeatSolver, HeatField, [Seconds; 2])> {
+    let options = args.options();
+    let (solver, setup) = measured("setup", |control| HeatSolver::new(mesh, &options, control));
+    let solver = solver?;
+    let (field, solve) = measured("solve", |control| solver.field(sources, control));
+    Ok((solver, field?, [setup, solve]))
 }
 
 /// What the exact method finds within the limits of the command line, and the seconds of set-up and solve; says where a

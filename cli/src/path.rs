@@ -164,8 +164,8 @@ pub(crate) fn run(args: &PathArgs) -> Result<()> {
 }
 
 fn by_heat(args: &PathArgs, mesh: &Mesh, sources: &[Source], targets: &[Target]) -> taut::Result<Found> {
-    let field = heat_field(&args.heat, mesh, sources)?;
-    by_descent(Quantity::Distance, field.distances, [field.setup, field.solve], mesh, sources, targets)
+    let (_, field, seconds) = heat_field(&args.heat, mesh, sources)?;
+    by_descent(Quantity::Distance, field.into_distances(), seconds, mesh, sources, targets)
 }
 
 /// The paths down a field that comes from these sources and took these seconds.

@@ -1,9 +1,9 @@
 //! `taut voronoi`: the nearest source of each vertex, and the cells of the surface that belong to each.
 
 use crate::Result;
-use crate::args::{ExactArgs, SourceArgs};
+use crate::args::{ExactArgs, HeatArgs, Method, SourceArgs, check_method};
 use crate::cells::Cells;
-use crate::field::exact_field;
+use crate::field::{exact_field, heat_field};
 use crate::input::{self, Places};
 use crate::measured::{Seconds, measured};
 use crate::output::{self, Output, Timing};
@@ -12,7 +12,7 @@ use clap::Args;
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use taut::{ExactOptions, Mesh, Source};
+use taut::{ExactField, ExactOptions, Mesh, Source};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,14 +22,17 @@ Examples:
       the same for a file of sources, and the cells in colours
   taut voronoi bunny.obj --sources seeds.txt --json
       how many vertices and how much area each cell has
+  taut voronoi bunny.obj --sources seeds.txt --method heat
+      by the heat method, approximately
 
 Exit code: 0 success, 1 failure, 2 a command line that makes no sense.";
 
 /// The nearest source of each vertex of a mesh: a Voronoi diagram on the surface
 ///
-/// Distances are exact. Writes one number a line, in the order of the vertices: that of the source,
-/// from 0, those of --source before those of --source-at, or by the lines of the file; -1 where no
-/// source reaches. A start distance counts as part of the way.
+/// Writes one number a line, in the order of the vertices: that of the source, from 0, those of
+/// --source before those of --source-at, or by the lines of the file; -1 where no source reaches. A
+/// start distance counts as part of the way. Cells are cut where two sources are equally near, by heat
+/// in the middle of each edge between two cells.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, verbatim_doc_comment)]
 pub(crate) struct VoronoiArgs {
@@ -39,6 +42,10 @@ pub(crate) struct VoronoiArgs {
     #[command(flatten)]
     sources: SourceArgs,
 
+    /// How distances are found
+    #[arg(long, value_enum, default_value_t = Method::Exact)]
+    method: Method,
+
     /// Write the numbers to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -47,6 +54,9 @@ pub(crate) struct VoronoiArgs {
     /// cell; numbers are then written to --output only
     #[arg(verbatim_doc_comment, long)]
     json: bool,
+
+    #[command(flatten)]
+    heat: HeatArgs,
 
     #[command(flatten)]
     exact: ExactArgs,
@@ -60,21 +70,32 @@ impl VoronoiArgs {
     pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
         self.picture.check()?;
         self.sources.check()?;
-        self.exact.check()
+        check_method(self.method, &self.heat, &self.exact)
     }
+
+    /// Vertices alone need no cells.
+    fn wants_cells(&self) -> bool {
+        self.json || self.picture.picture.is_some()
+    }
+}
+
+/// What a method found.
+struct Found {
+    /// The nearest source of each vertex.
+    nearest: Vec<Option<u32>>,
+    cells: Option<Cells>,
+    /// Of set-up, solve and cells.
+    seconds: [Seconds; 3],
 }
 
 pub(crate) fn run(args: &VoronoiArgs) -> Result<()> {
     let (mesh, read) = input::mesh(&args.mesh)?;
     let sources = input::sources(&args.sources, &mesh)?;
-    // Vertices alone need no cells.
-    let keep_windows = args.json || args.picture.picture.is_some();
-    let options = ExactOptions { keep_windows, ..args.exact.options() };
-    let field = exact_field(&args.exact, &mesh, &sources, &options).map_err(|error| error.to_string());
-    let (field, [setup, solve]) = field?;
-    let nearest: Vec<Option<u32>> = field.nearest_sources().collect();
-    let (cells, seconds) = measured("cells", |_| keep_windows.then(|| Cells::new(&mesh, &field)).transpose());
-    let cells = cells.map_err(|error| error.to_string())?;
+    let found = match args.method {
+        Method::Heat => by_heat(args, &mesh, &sources),
+        Method::Exact => by_windows(args, &mesh, &sources),
+    };
+    let Found { nearest, cells, seconds: [setup, solve, seconds] } = found.map_err(|error| error.to_string())?;
 
     let picture = cells.as_ref().map(|cells| draw(args, cells, &mesh, &sources)).transpose()?.flatten();
     let (file, printed) = match args.output.as_deref() {
@@ -86,6 +107,32 @@ pub(crate) fn run(args: &VoronoiArgs) -> Result<()> {
     let Some(cells) = cells.filter(|_| args.json) else { return Ok(()) };
     let timing = CellTiming { field: Timing { read, setup, solve }, cells: seconds };
     output::json(&Report::new(&mesh, &nearest, cells.areas(sources.len()), timing))
+}
+
+fn by_heat(args: &VoronoiArgs, mesh: &Mesh, sources: &[Source]) -> taut::Result<Found> {
+    let (_, field, [setup, solve]) = heat_field(&args.heat, mesh, sources)?;
+    let (found, seconds) = measured("cells", |_| cells(args, mesh, field.nearest_sources(), None));
+    let (nearest, cells) = found?;
+    Ok(Found { nearest, cells, seconds: [setup, solve, seconds] })
+}
+
+fn by_windows(args: &VoronoiArgs, mesh: &Mesh, sources: &[Source]) -> taut::Result<Found> {
+    let options = ExactOptions { keep_windows: args.wants_cells(), ..args.exact.options() };
+    let (field, [setup, solve]) = exact_field(&args.exact, mesh, sources, &options)?;
+    let (found, seconds) = measured("cells", |_| cells(args, mesh, field.nearest_sources().collect(), Some(&field)));
+    let (nearest, cells) = found?;
+    Ok(Found { nearest, cells, seconds: [setup, solve, seconds] })
+}
+
+/// Nearest sources with their cells, if these are wanted.
+fn cells(
+    args: &VoronoiArgs,
+    mesh: &Mesh,
+    nearest: Vec<Option<u32>>,
+    field: Option<&ExactField>,
+) -> taut::Result<(Vec<Option<u32>>, Option<Cells>)> {
+    let cells = args.wants_cells().then(|| Cells::new(mesh, &nearest, field)).transpose()?;
+    Ok((nearest, cells))
 }
 
 /// One number a line, -1 for none.

@@ -42,6 +42,28 @@ fn areas_are_those_of_the_cells_and_not_of_their_triangles() {
     assert!((total - 400.0).abs() < 1e-9 && thirds.iter().all(|cell| cell.0 > 100.0), "{thirds:?}");
 }
 
+/// Heat knows the nearest source of vertices alone: cells are cut in the middle of edges.
+#[test]
+fn cells_by_heat_are_those_of_their_vertices() {
+    let desk = Desk::with_grid();
+    // The border at x = 9.65 becomes one at 9.5.
+    let halves = cells(&desk, "grid.obj --source-at 4.3,10,0 --source-at 15,10,0 --method heat");
+    assert!((halves[0].0 - 190.0).abs() < 1e-9 && (halves[1].0 - 210.0).abs() < 1e-9, "{halves:?}");
+    assert_eq!([halves[0].1, halves[1].1], [10 * 21, 11 * 21]);
+
+    desk.write("ball.obj", &obj(&shapes::icosphere(4)));
+    let line = "ball.obj --source 0 --source 300 --source 700 --source 1200 --source 1900 --source 2300";
+    let [heat, exact] = ["heat", "exact"].map(|method| cells(&desk, &format!("{line} --method {method}")));
+    for (heat, exact) in heat.iter().zip(&exact) {
+        assert!((heat.0 / exact.0 - 1.0).abs() < 0.1, "{heat:?}, exact {exact:?}");
+    }
+    let total = |cells: &[(f64, u64)]| cells.iter().map(|cell| cell.0).sum::<f64>();
+    assert!((total(&heat) - total(&exact)).abs() < 1e-9);
+    let [heat, exact] = ["heat", "exact"].map(|method| desk.prints(&format!("voronoi {line} --method {method}")));
+    let differ = heat.lines().zip(exact.lines()).filter(|(heat, exact)| heat != exact).count();
+    assert!(heat.lines().count() == 2562 && differ <= 50, "{differ} differ");
+}
+
 #[test]
 fn areas_on_a_curved_surface_add_up() {
     let desk = Desk::new();
@@ -60,6 +82,7 @@ fn what_no_source_reaches_belongs_to_none() {
     desk.write("two.off", "OFF\n7 3 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n9 9 nan\n3 0 1 2\n3 3 4 5\n3 3 3 4\n");
     let printed = desk.prints("voronoi two.off --source 1 --source 0 --picture cells.png");
     assert_eq!(printed, "1\n0\n1\n-1\n-1\n-1\n-1\n");
+    assert!(desk.prints("voronoi two.off --source 1 --source 0 --method heat").ends_with("\n-1\n-1\n-1\n-1\n"));
     let report = desk.json("voronoi two.off --source 1 --source 0 --json");
     assert_eq!((&report["unreachable"], &report["cells"][0]["vertices"]), (&4.into(), &1.into()));
     assert!(["read", "setup", "solve", "cells"].iter().all(|stage| report["timing"][stage]["cpu"].is_number()));
@@ -132,6 +155,8 @@ fn what_makes_no_sense_is_refused_and_leaves_no_file() {
         (2, "", "--source-at"),
         (2, "--source 0 -o a.txt --view top", "--picture"),
         (2, "--source 0 -o a.txt --partial", "--time-limit"),
+        (2, "--source 0 -o a.txt --time-step 1", "--method exact"),
+        (2, "--source 0 -o a.txt --method heat --radius 5", "--method exact"),
         (1, "--source 441 -o a.txt", "source 0: is vertex 441"),
         (1, "--source 0 -o a.txt --picture no/such/a.png", "no/such/a.png"),
         (1, "--source 0 -o a.txt --memory-limit 0", "memory limit"),

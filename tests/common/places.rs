@@ -1,4 +1,5 @@
 //! Random points of a surface, distances from them, and lengths.
+#![allow(dead_code, reason = "each test uses a part of it")]
 
 use taut::{Control, ExactField, ExactOptions, ExactSolver, Mesh, Source, SurfacePoint};
 
