@@ -106,6 +106,21 @@ static void every_packing_in(void) {
     }
 }
 
+/* Rows that overlap are read as they lie: each begins at the second number of the one before. */
+static void rows_that_overlap(void) {
+    const double numbers[] = {0, 1, 5, 2, 8}, expected[] = {0, 1, 5, 1, 5, 2, 5, 2, 8};
+    const uint32_t circle[] = {0, 1, 2, 0}, fan[] = {0, 1, 2, 1, 2, 0};
+    taut_mesh *mesh = NULL;
+    double p[9];
+    uint32_t t[6];
+    CHECK(taut_mesh_new((taut_input){.data = numbers, .count = 3, .stride = sizeof *numbers},
+                        (taut_input){.data = circle, .count = 2, .stride = sizeof *circle}, &mesh) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_positions(mesh, room(p, 3)) == TAUT_STATUS_OK && memcmp(p, expected, sizeof p) == 0);
+    CHECK(taut_mesh_triangles(mesh, (taut_output){.data = t, .count = 2}) == TAUT_STATUS_OK);
+    CHECK(memcmp(t, fan, sizeof t) == 0);
+    taut_mesh_free(mesh);
+}
+
 static void polygons(void) {
     const uint16_t offsets[] = {0, 4}, bad_offsets[] = {0, 5}, small[] = {0, 2, 4};
     const int32_t quad[] = {0, 1, 2, 3};
@@ -228,6 +243,7 @@ const test tests[] = {
     TEST(bad_meshes),
     TEST(ignored_triangles),
     TEST(every_packing_in),
+    TEST(rows_that_overlap),
     TEST(polygons),
     TEST(indices_that_do_not_fit),
     TEST(reports),

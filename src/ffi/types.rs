@@ -43,7 +43,8 @@ pub struct taut_input {
 
 /// A buffer that a call fills, laid out like `taut_input`.
 ///
-/// A call fills all the rows it has or, on failure, none. Bytes between rows are left alone. The rows must not overlap.
+/// A call fills all the rows it has or, on failure, none. Bytes between rows are left alone. The rows must not overlap, nor
+/// the outputs of a call; an output may lie over its inputs, which are read before anything is written.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct taut_output {
@@ -130,11 +131,7 @@ pub(super) unsafe fn read_sized<T: SizedStruct>(pointer: *const T, name: &str) -
     if !pointer.is_null() {
         let bytes = pointer.cast::<u8>();
         // SAFETY: the struct has at least its size field.
-        let size = unsafe { bytes.cast::<usize>().read_unaligned() };
-        if size < size_of::<usize>() {
-            let message = format!("`{name}.struct_size` is {size}; set it to sizeof(the struct)");
-            return Err(Error::new(Reason::BadArgument, message));
-        }
+        let size = stated_size(unsafe { bytes.cast::<usize>().read_unaligned() }, name)?;
         let known = size.min(size_of::<T>());
         // SAFETY: the caller promises `size` readable bytes.
         let unknown = unsafe { std::slice::from_raw_parts(bytes.add(known), size - known) };
@@ -147,6 +144,15 @@ pub(super) unsafe fn read_sized<T: SizedStruct>(pointer: *const T, name: &str) -
     }
     // SAFETY: a SizedStruct that is read is valid for any bytes, and all of them are set.
     Ok(unsafe { copy.assume_init() })
+}
+
+/// The size that a caller's struct states, which has room for itself at least.
+fn stated_size(size: usize, name: &str) -> Result<usize> {
+    if size < size_of::<usize>() {
+        let message = format!("`{name}.struct_size` is {size}; set it to sizeof(the struct)");
+        return Err(Error::new(Reason::BadArgument, message));
+    }
+    Ok(size)
 }
 
 /// Fills the fields that the caller's struct has and this version knows, and zeroes the others but the size.
@@ -172,6 +178,8 @@ pub(super) unsafe fn write_required<T: SizedStruct>(out: *mut T, value: &T) -> R
     if out.is_null() {
         return Err(null("out"));
     }
+    // SAFETY: the struct has at least its size field.
+    stated_size(unsafe { out.cast::<usize>().read_unaligned() }, "out")?;
     // SAFETY: as the caller promises.
     unsafe { write_sized(out, value) };
     Ok(())
@@ -384,11 +392,10 @@ impl Layout {
         if data.is_null() && count > 0 {
             return Err(Error::new(Reason::NullPointer, format!("`{name}.data` is NULL, but its count is {count}")));
         }
-        let span = Rows::span(count, width, stride, kind)?;
-        if isize::try_from(span).is_err() {
-            return Err(Error::new(Reason::TooManyElements, format!("`{name}` spans more memory than there can be")));
+        match Rows::span(count, width, stride, kind) {
+            Ok(span) if isize::try_from(span).is_ok() => Ok(Layout { width, stride, span }),
+            _ => Err(Error::new(Reason::TooManyElements, format!("`{name}` spans more memory than there can be"))),
         }
-        Ok(Layout { width, stride, span })
     }
 
     /// Writes `rows` to `data`, which need not be aligned.
