@@ -74,24 +74,25 @@ taut_exact_field *field_with(const taut_sources *sources, const taut_exact_optio
     return field;
 }
 
-taut_mesh *hills(void) {
-    double *points = malloc(sizeof *points * 3 * HILL_VERTICES);
-    uint32_t *sides = malloc(sizeof *sides * 6 * SQUARES * SQUARES);
+taut_mesh *hills(uint32_t squares) {
+    const size_t vertices = (size_t)(squares + 1) * (squares + 1);
+    double *points = malloc(sizeof *points * 3 * vertices);
+    uint32_t *sides = malloc(sizeof *sides * 6 * squares * squares);
     uint32_t v = 0;
     size_t corner = 0;
-    for (uint32_t j = 0; j <= SQUARES; j++) {
-        for (uint32_t i = 0; i <= SQUARES; i++, v++) {
+    for (uint32_t j = 0; j <= squares; j++) {
+        for (uint32_t i = 0; i <= squares; i++, v++) {
             points[3 * v] = i;
             points[3 * v + 1] = j;
             points[3 * v + 2] = 3 * sin(0.3 * i + 0.1 * j) * cos(0.2 * j - 0.05 * i);
-            if (i == SQUARES || j == SQUARES) continue;
-            const uint32_t up = v + SQUARES + 1, square[] = {v, v + 1, up, v + 1, up + 1, up};
+            if (i == squares || j == squares) continue;
+            const uint32_t up = v + squares + 1, square[] = {v, v + 1, up, v + 1, up + 1, up};
             for (size_t k = 0; k < 6; k++) sides[corner++] = square[k];
         }
     }
     taut_mesh *mesh = NULL;
-    CHECK(taut_mesh_new((taut_input){.data = points, .count = HILL_VERTICES},
-                        (taut_input){.data = sides, .count = 2 * SQUARES * SQUARES}, &mesh) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_new((taut_input){.data = points, .count = vertices},
+                        (taut_input){.data = sides, .count = 2 * squares * squares}, &mesh) == TAUT_STATUS_OK);
     free(points);
     free(sides);
     return mesh;

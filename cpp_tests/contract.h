@@ -66,9 +66,9 @@ extern const double inside[3];
 #define VERTICES(v) (&(const taut_targets){.struct_size = sizeof(taut_targets), .vertices = (v)})
 #define POINTS(f, b) (&(const taut_targets){.struct_size = sizeof(taut_targets), .faces = (f), .barycentrics = (b)})
 
-/* Hills of SQUARES by SQUARES, on which the exact method works for a while. */
+/* Hills of `squares` by `squares`; of SQUARES, the exact method works for a while. */
 enum { SQUARES = 300, HILL_VERTICES = (SQUARES + 1) * (SQUARES + 1) };
-taut_mesh *hills(void);
+taut_mesh *hills(uint32_t squares);
 
 /* What a callback has seen. */
 typedef struct {

@@ -211,7 +211,7 @@ static void farthest_points(void) {
 /* Rows of the hills are their fields, to the bit, for any number of threads; and end when a callback says so. */
 static void long_batches(void) {
     enum { ROWS = 3 };
-    taut_mesh *mesh = hills();
+    taut_mesh *mesh = hills(SQUARES);
     taut_exact *exact = NULL;
     taut_exact_field *field = NULL;
     taut_sparse_distances *sparse = NULL;

@@ -170,7 +170,7 @@ static void heat_is_interrupted(const taut_mesh *mesh) {
 }
 
 static void long_calls(void) {
-    taut_mesh *mesh = hills();
+    taut_mesh *mesh = hills(SQUARES);
     taut_exact *exact = NULL;
     CHECK(taut_exact_new(mesh, &exact) == TAUT_STATUS_OK);
     callbacks(exact);

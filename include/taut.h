@@ -322,7 +322,8 @@ typedef struct {
 /**
  * A buffer that a call fills, laid out like `taut_input`.
  *
- * A call fills all the rows it has or, on failure, none. Bytes between rows are left alone. The rows must not overlap.
+ * A call fills all the rows it has or, on failure, none. Bytes between rows are left alone. The rows must not overlap, nor
+ * the outputs of a call; an output may lie over its inputs, which are read before anything is written.
  */
 typedef struct {
     /** The first row; may be NULL if `count` is 0. */

@@ -83,7 +83,8 @@ fn panicked(payload: Box<dyn Any + Send>) -> Error {
         (_, Some(text)) => text.clone(),
         _ => "no message".to_owned(),
     };
-    std::mem::forget(payload); // its drop may panic again, and then nothing would catch it
+    // Its drop may panic again; what that leaves is not dropped.
+    let _ = catch_unwind(AssertUnwindSafe(|| drop(payload))).map_err(std::mem::forget);
     Error::new(Reason::Panic, format!("a defect of the library, please report it: {text}"))
 }
 
