@@ -32,6 +32,8 @@ static const uint32_t corners[] = {0, 1, 3, 1, 2, 3};
 static const taut_input positions = {.data = xyz, .count = 5};
 static const taut_input triangles = {.data = corners, .count = 2};
 static const uint32_t zero = 0;
+/* Each source makes a set of its own. */
+static const taut_input each = {0};
 /* Of each vertex, its distance along x; none for the last. */
 static const double along_x[] = {0, 3, 3, 0, INFINITY};
 static const taut_input values = {.data = along_x, .count = 5};
@@ -142,7 +144,7 @@ static void null_is_an_error(void) {
     CHECK(heat_field == NULL);
     CHECK_FAILS(taut_heat_field_distances(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_heat_field_nearest_sources(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_heat_distance_rows(NULL, &from_zero, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_distance_rows(NULL, &from_zero, each, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_heat_report_of(NULL, &heat_report), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_mesh_with_positions(NULL, positions, &mesh), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_time_step_value(NULL, step, &t), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -158,7 +160,7 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_isolines_new(NULL, values, values, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(curves == NULL);
     curves = (taut_curves *)&failures;
-    CHECK_FAILS(taut_descent_paths_new(NULL, values, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_descent_paths_new(NULL, values, NULL, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(curves == NULL);
     CHECK_FAILS(taut_curves_offsets(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_curves_positions(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -168,7 +170,7 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_curves_levels(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_closest_new(NULL, &closest), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(closest == NULL);
-    CHECK_FAILS(taut_closest_points(NULL, positions, out, out, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_closest_points(NULL, positions, NULL, out, out, out), TAUT_REASON_NULL_POINTER, 0, 0);
 
     mesh = rectangle();
     CHECK_FAILS(taut_time_step_value(mesh, step, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -181,10 +183,10 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_isolines_new(mesh, values, (taut_input){.count = 1}, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(strstr(taut_last_error(NULL), "levels") != NULL);
     CHECK_FAILS(taut_isolines_new(mesh, values, values, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_descent_paths_new(mesh, (taut_input){.count = 5}, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0,
+    CHECK_FAILS(taut_descent_paths_new(mesh, (taut_input){.count = 5}, NULL, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0,
                 0);
     CHECK(strstr(taut_last_error(NULL), "values") != NULL);
-    CHECK_FAILS(taut_descent_paths_new(mesh, values, NULL, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_descent_paths_new(mesh, values, NULL, NULL, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_closest_new(mesh, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     taut_mesh_free(mesh);
 
@@ -495,7 +497,7 @@ static void cancelled_before_the_start(void) {
     taut_heat_field *heat_field = (taut_heat_field *)&failures;
     CHECK(taut_heat_field_new(heat, &from_zero, control, &heat_field) == TAUT_STATUS_CANCELLED && heat_field == NULL);
     const taut_output out = {.data = d, .count = 1, .stride = sizeof d};
-    CHECK(taut_heat_distance_rows(heat, &from_zero, 1, control, out) == TAUT_STATUS_CANCELLED);
+    CHECK(taut_heat_distance_rows(heat, &from_zero, each, 1, control, out) == TAUT_STATUS_CANCELLED);
     CHECK(taut_heat_with_mesh(heat, mesh, control, &again) == TAUT_STATUS_CANCELLED && again == NULL);
     for (size_t v = 0; v < 5; v++) CHECK(d[v] == -1);
     taut_control_free(control);
@@ -832,12 +834,12 @@ static void heat_fields(void) {
     taut_heat_field_free(field);
 
     const taut_output to_rows = {.data = rows, .count = 2, .stride = sizeof rows[0]};
-    CHECK(taut_heat_distance_rows(heat, &from, 2, NULL, to_rows) == TAUT_STATUS_OK);
+    CHECK(taut_heat_distance_rows(heat, &from, each, 2, NULL, to_rows) == TAUT_STATUS_OK);
     for (size_t i = 0; i < 2; i++) {
         const taut_sources one = {.struct_size = sizeof one, .vertices = {.data = ends + i, .count = 1}};
         CHECK(heat_distances(heat, &one, d) == TAUT_STATUS_OK && memcmp(d, rows[i], sizeof d) == 0);
     }
-    CHECK_FAILS(taut_heat_distance_rows(heat, &from, 2, NULL, (taut_output){.data = rows, .count = 1}),
+    CHECK_FAILS(taut_heat_distance_rows(heat, &from, each, 2, NULL, (taut_output){.data = rows, .count = 1}),
                 TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
 
     taut_heat_report report = {.struct_size = sizeof report};
@@ -1075,7 +1077,7 @@ static void closest_points(void) {
     const float points[] = {1, 1, 2, 1.5f, 2, -1, 5, 3, 0, -3, -4, 0};
     uint16_t faces[4];
     double w[12], d[4];
-    CHECK(taut_closest_points(closest, (taut_input){.data = points, .count = 4, .type = TAUT_TYPE_F32},
+    CHECK(taut_closest_points(closest, (taut_input){.data = points, .count = 4, .type = TAUT_TYPE_F32}, NULL,
                               (taut_output){.data = faces, .count = 4, .type = TAUT_TYPE_U16},
                               (taut_output){.data = w, .count = 4},
                               (taut_output){.data = d, .count = 4}) == TAUT_STATUS_OK);
@@ -1085,7 +1087,7 @@ static void closest_points(void) {
     CHECK(w[3] == 0 && w[4] == 0.5 && w[5] == 0.5);
     CHECK(w[6] == 0.25 && w[7] == 0.75 && w[8] == 0);
     CHECK(w[9] == 1 && w[10] == 0 && w[11] == 0);
-    CHECK(taut_closest_points(closest, (taut_input){0}, (taut_output){0}, (taut_output){0}, (taut_output){0}) ==
+    CHECK(taut_closest_points(closest, (taut_input){0}, NULL, (taut_output){0}, (taut_output){0}, (taut_output){0}) ==
           TAUT_STATUS_OK);
     taut_closest_free(closest);
 
@@ -1107,17 +1109,17 @@ static void closest_points_fill_all_views_or_none(void) {
     const taut_output faces = {.data = f, .count = 2}, weights = {.data = w, .count = 2}, far = {.data = d, .count = 2};
     taut_output bad = faces;
     bad.count = 1;
-    CHECK_FAILS(taut_closest_points(closest, from, bad, weights, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_closest_points(closest, from, NULL, bad, weights, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     bad = weights;
     bad.count = 1;
-    CHECK_FAILS(taut_closest_points(closest, from, faces, bad, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_closest_points(closest, from, NULL, faces, bad, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     CHECK(strstr(taut_last_error(NULL), "barycentrics") != NULL);
     bad = far;
     bad.type = TAUT_TYPE_U32;
-    CHECK_FAILS(taut_closest_points(closest, from, faces, weights, bad), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_closest_points(closest, from, NULL, faces, weights, bad), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK(strstr(taut_last_error(NULL), "distances") != NULL);
     points[5] = NAN;
-    CHECK_FAILS(taut_closest_points(closest, from, faces, weights, far), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT,
+    CHECK_FAILS(taut_closest_points(closest, from, NULL, faces, weights, far), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT,
                 1);
     CHECK(f[0] == 77 && f[1] == 77 && d[0] == -1 && d[1] == -1);
     for (size_t i = 0; i < 6; i++) CHECK(w[i] == -1);
@@ -1497,7 +1499,7 @@ static void paths_of_descent(void) {
     /* Along the upper side; from where nothing is lower; from a vertex of no triangle; along the lower side. */
     const uint32_t targets[] = {2, 0, 4, 1}, beyond[] = {0, 5};
     taut_curves *curves = NULL;
-    CHECK(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(targets, 4)), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(targets, 4)), NULL, &curves) == TAUT_STATUS_OK);
     CHECK(taut_curves_count(curves) == 4 && taut_curves_point_count(curves) == 5);
     drawing it = drawn(curves);
     CHECK(it.offsets[0] == 0 && it.offsets[1] == 2 && it.offsets[2] == 3 && it.offsets[3] == 3 && it.offsets[4] == 5);
@@ -1506,7 +1508,7 @@ static void paths_of_descent(void) {
     CHECK(is_at(it.positions + 6, 0, 0) && is_at(it.positions + 9, 3, 0) && is_at(it.positions + 12, 0, 0));
 
     /* All vertices; four of them have paths. */
-    CHECK(taut_descent_paths_new(mesh, values, NULL, NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, values, NULL, NULL, NULL, &curves) == TAUT_STATUS_OK);
     CHECK(taut_curves_count(curves) == 5 && taut_curves_point_count(curves) == 6);
     taut_curves_free(curves);
 
@@ -1516,22 +1518,22 @@ static void paths_of_descent(void) {
     const taut_input distances = {.data = from_middle, .count = 5};
     const taut_sources source = {
         .struct_size = sizeof source, .faces = indices(&zero, 1), .barycentrics = scalars(middle, 1)};
-    CHECK(taut_descent_paths_new(mesh, distances, &source, VERTICES(indices(targets, 1)), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, distances, &source, VERTICES(indices(targets, 1)), NULL, &curves) == TAUT_STATUS_OK);
     CHECK(taut_curves_point_count(curves) == 3);
     it = drawn(curves);
     CHECK(is_at(it.positions, 3, 4) && is_at(it.positions + 6, 0.75, 1) && it.faces[2] == 0);
-    CHECK(taut_descent_paths_new(mesh, distances, NULL, VERTICES(indices(targets, 1)), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, distances, NULL, VERTICES(indices(targets, 1)), NULL, &curves) == TAUT_STATUS_OK);
     it = drawn(curves);
     CHECK(it.offsets[1] > 1 && is_at(it.positions + 3 * (it.offsets[1] - 1), 0, 0));
 
     curves = (taut_curves *)&failures; /* must be overwritten */
     const taut_input four = {.data = along_x, .count = 4};
-    CHECK_FAILS(taut_descent_paths_new(mesh, four, NULL, NULL, &curves), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_descent_paths_new(mesh, four, NULL, NULL, NULL, &curves), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK(curves == NULL);
-    CHECK_FAILS(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(beyond, 2)), &curves),
+    CHECK_FAILS(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(beyond, 2)), NULL, &curves),
                 TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_ELEMENT_TARGET, 1);
     const taut_sources outside = {.struct_size = sizeof outside, .vertices = indices(beyond, 2)};
-    CHECK_FAILS(taut_descent_paths_new(mesh, values, &outside, NULL, &curves), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+    CHECK_FAILS(taut_descent_paths_new(mesh, values, &outside, NULL, NULL, &curves), TAUT_REASON_VERTEX_OUT_OF_RANGE,
                 TAUT_ELEMENT_SOURCE, 1);
     taut_mesh_free(mesh);
 }
@@ -1574,7 +1576,7 @@ static void from_click_to_click(void) {
     const double clicks[] = {0.75, 1, 9, 2.25, 3, -9};
     uint32_t faces[2];
     double weights[6], off[2];
-    taut_status status = taut_closest_points(closest, scalars(clicks, 2), (taut_output){.data = faces, .count = 2},
+    taut_status status = taut_closest_points(closest, scalars(clicks, 2), NULL, (taut_output){.data = faces, .count = 2},
                                              room(weights, 2), room(off, 2));
     const taut_sources click = {
         .struct_size = sizeof click, .faces = indices(faces, 1), .barycentrics = scalars(weights, 1)};
@@ -1620,7 +1622,7 @@ static void distance_rows(void) {
     const size_t threads[] = {0, 1, 2, 8, SIZE_MAX};
     for (size_t t = 0; t < 5; t++) {
         for (size_t i = 0; i < 20; i++) d[i] = -1;
-        CHECK(taut_exact_distance_rows(exact, &from, threads[t], NULL, room(d, 4)) == TAUT_STATUS_OK);
+        CHECK(taut_exact_distance_rows(exact, &from, each, threads[t], NULL, room(d, 4)) == TAUT_STATUS_OK);
         CHECK(memcmp(d, expected, sizeof expected) == 0);
         for (size_t v = 15; v < 20; v++) CHECK(d[v] == -1);
     }
@@ -1630,7 +1632,7 @@ static void distance_rows(void) {
     memset(bytes, 0xab, sizeof bytes);
     const size_t stride = 5 * sizeof(float) + GAP;
     const taut_output packed = {.data = bytes + 1, .count = 3, .stride = stride, .type = TAUT_TYPE_F32};
-    CHECK(taut_exact_distance_rows(exact, &from, 1, NULL, packed) == TAUT_STATUS_OK);
+    CHECK(taut_exact_distance_rows(exact, &from, each, 1, NULL, packed) == TAUT_STATUS_OK);
     CHECK(bytes[0] == 0xab);
     for (size_t i = 0; i < 3; i++) {
         for (size_t v = 0; v < 5; v++) {
@@ -1643,7 +1645,7 @@ static void distance_rows(void) {
 
     /* No source has no rows. */
     const taut_sources none = {.struct_size = sizeof none};
-    CHECK(taut_exact_distance_rows(exact, &none, 8, NULL, (taut_output){0}) == TAUT_STATUS_OK);
+    CHECK(taut_exact_distance_rows(exact, &none, each, 8, NULL, (taut_output){0}) == TAUT_STATUS_OK);
     taut_exact_free(exact);
 }
 
@@ -1653,35 +1655,35 @@ static void distance_rows_all_or_none(void) {
     double d[15];
     for (size_t i = 0; i < 15; i++) d[i] = -1;
     taut_output out = room(d, 3);
-    CHECK_FAILS(taut_exact_distance_rows(NULL, &from, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, NULL, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, (taut_output){.count = 3}), TAUT_REASON_NULL_POINTER, 0,
+    CHECK_FAILS(taut_exact_distance_rows(NULL, &from, each, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, NULL, each, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, (taut_output){.count = 3}), TAUT_REASON_NULL_POINTER, 0,
                 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, room(d, 2)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, (taut_output){0}), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, room(d, 2)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, (taut_output){0}), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     out.stride = 4 * sizeof *d; /* a row has five */
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     out = typed(d, 3, TAUT_TYPE_I32);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
 
     /* More bytes than can be counted, or than there can be. */
     const size_t huge[] = {SIZE_MAX, SIZE_MAX / 8 / 5 + 1, PTRDIFF_MAX / 8 / 5 + 1};
     for (size_t i = 0; i < 3; i++) {
-        CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, room(d, huge[i])), TAUT_REASON_TOO_MANY_ELEMENTS, 0,
+        CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, room(d, huge[i])), TAUT_REASON_TOO_MANY_ELEMENTS, 0,
                     0);
     }
     out = room(d, 3);
     out.stride = SIZE_MAX;
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, out), TAUT_REASON_TOO_MANY_ELEMENTS, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, out), TAUT_REASON_TOO_MANY_ELEMENTS, 0, 0);
 
     const uint32_t beyond[] = {0, 5};
     from.vertices = indices(beyond, 2);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, NULL, room(d, 3)), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 2, NULL, room(d, 3)), TAUT_REASON_VERTEX_OUT_OF_RANGE,
                 TAUT_ELEMENT_SOURCE, 1);
     from = row_sources();
     const double bad_offsets[] = {0, 0, NAN};
     from.offsets = scalars(bad_offsets, 3);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, NULL, room(d, 3)), TAUT_REASON_BAD_ARGUMENT,
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 2, NULL, room(d, 3)), TAUT_REASON_BAD_ARGUMENT,
                 TAUT_ELEMENT_SOURCE, 2);
     for (size_t i = 0; i < 15; i++) CHECK(d[i] == -1);
     taut_exact_free(exact);
@@ -1819,7 +1821,7 @@ static void long_batches(void) {
     const size_t threads[] = {1, 2, 8};
     for (size_t t = 0; t < 3; t++) {
         memset(rows, 0xff, size);
-        CHECK(taut_exact_distance_rows(exact, &from, threads[t], NULL, room(rows, ROWS)) == TAUT_STATUS_OK);
+        CHECK(taut_exact_distance_rows(exact, &from, each, threads[t], NULL, room(rows, ROWS)) == TAUT_STATUS_OK);
         CHECK(memcmp(rows, expected, size) == 0);
     }
 
@@ -1835,7 +1837,7 @@ static void long_batches(void) {
             CHECK(taut_control_new(controls + i) == TAUT_STATUS_OK);
             CHECK(taut_control_set_callback(controls[i], watch, seen + i) == TAUT_STATUS_OK);
         }
-        CHECK_FAILS(taut_exact_distance_rows(exact, &from, threads[t], controls[0], room(rows, ROWS)),
+        CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, threads[t], controls[0], room(rows, ROWS)),
                     TAUT_REASON_CANCELLED, 0, 0);
         CHECK_FAILS(taut_exact_distances_within(exact, &from, 200, threads[t], controls[1], &sparse),
                     TAUT_REASON_CANCELLED, 0, 0);
@@ -1852,11 +1854,11 @@ static void long_batches(void) {
 
     taut_control *small = NULL;
     CHECK(taut_control_new(&small) == TAUT_STATUS_OK && taut_control_set_memory_limit(small, 1) == TAUT_STATUS_OK);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, small, room(rows, ROWS)), TAUT_REASON_MEMORY_LIMIT, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 2, small, room(rows, ROWS)), TAUT_REASON_MEMORY_LIMIT, 0, 0);
     CHECK_FAILS(taut_exact_distances_within(exact, &from, 5, 2, small, &sparse), TAUT_REASON_MEMORY_LIMIT, 0, 0);
     CHECK(taut_control_set_memory_limit(small, 0) == TAUT_STATUS_OK);
     CHECK(taut_control_set_time_limit(small, 0.01) == TAUT_STATUS_OK);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, small, room(rows, ROWS)), TAUT_REASON_TIME_LIMIT, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 2, small, room(rows, ROWS)), TAUT_REASON_TIME_LIMIT, 0, 0);
     taut_control_free(small);
     free(rows);
     free(expected);

@@ -59,6 +59,11 @@ FIELD(taut_heat_report, symbolic_seconds, 64);
 FIELD(taut_heat_report, poisson_seconds, 72);
 FIELD(taut_heat_report, heat_seconds, 80);
 
+SIZE(taut_heat_residuals, 24);
+FIELD(taut_heat_residuals, struct_size, 0);
+FIELD(taut_heat_residuals, heat, 8);
+FIELD(taut_heat_residuals, poisson, 16);
+
 SIZE(taut_heat_options, 56);
 FIELD(taut_heat_options, struct_size, 0);
 FIELD(taut_heat_options, time_step, 8);
