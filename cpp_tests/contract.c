@@ -152,7 +152,7 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_control_set_time_limit(NULL, 1), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_control_set_memory_limit(NULL, 1), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_control_set_callback(NULL, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_field_interruption(NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_field_interruption(NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_exact_field_nearest_sources(NULL, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_exact_field_paths(NULL, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(curves == NULL);
@@ -512,7 +512,7 @@ static void a_radius(void) {
     double d[5];
     taut_exact_options options = {.struct_size = sizeof options, .radius = 4};
     CHECK(taut_exact_field_new(exact, &from_zero, &options, NULL, &field) == TAUT_STATUS_OK);
-    CHECK(taut_exact_field_final_radius(field) == 4 && taut_exact_field_interruption(field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_final_radius(field) == 4 && taut_exact_field_interruption(field, NULL) == TAUT_STATUS_OK);
     CHECK(taut_exact_field_distances(field, NULL, (taut_output){.data = d, .count = 5}) == TAUT_STATUS_OK);
     CHECK(d[0] == 0 && d[1] == 3 && d[2] == INFINITY && d[3] == 4 && d[4] == INFINITY);
     taut_exact_field_free(field);
@@ -591,7 +591,7 @@ static void check_interrupted(job *it, taut_status why) {
     } else {
         double radius = taut_exact_field_final_radius(it->field);
         size_t known = 0;
-        CHECK(it->status == TAUT_STATUS_OK && taut_exact_field_interruption(it->field) == why);
+        CHECK(it->status == TAUT_STATUS_OK && taut_exact_field_interruption(it->field, NULL) == why);
         CHECK(radius < INFINITY);
         CHECK(taut_exact_field_distances(it->field, NULL, (taut_output){.data = d, .count = HILL_VERTICES}) ==
               TAUT_STATUS_OK);
@@ -694,7 +694,7 @@ static void limits(const taut_exact *exact) {
     CHECK_FAILS(taut_control_set_time_limit(it.control, -1), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK_FAILS(taut_control_set_time_limit(it.control, NAN), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     work(&it);
-    CHECK(it.status == TAUT_STATUS_OK && taut_exact_field_interruption(it.field) == TAUT_STATUS_OK);
+    CHECK(it.status == TAUT_STATUS_OK && taut_exact_field_interruption(it.field, NULL) == TAUT_STATUS_OK);
     taut_exact_field_free(it.field);
     CHECK(taut_control_set_time_limit(it.control, INFINITY) == TAUT_STATUS_OK);
     CHECK(taut_control_set_time_limit(it.control, 1e300) == TAUT_STATUS_OK);
@@ -1130,6 +1130,10 @@ static void closest_points_fill_all_views_or_none(void) {
 static taut_input scalars(const double *data, size_t count) { return (taut_input){.data = data, .count = count}; }
 
 static taut_input indices(const uint32_t *data, size_t count) { return (taut_input){.data = data, .count = count}; }
+
+static taut_input typed_input(const void *data, size_t count, taut_type type) {
+    return (taut_input){.data = data, .count = count, .type = type};
+}
 
 static taut_output room(double *data, size_t count) { return (taut_output){.data = data, .count = count}; }
 
@@ -1865,6 +1869,350 @@ static void long_batches(void) {
     taut_exact_free(exact);
 }
 
+/* A size that was never set is found, in structs that are read and in those that are filled. */
+static void sizes_that_were_never_set(void) {
+    taut_mesh *mesh = rectangle();
+    taut_exact *exact = exact_rectangle();
+    taut_exact_field *field = NULL;
+    const size_t sizes[] = {0, sizeof(size_t) - 1, 4097, SIZE_MAX / 2, SIZE_MAX};
+    for (size_t i = 0; i < 5; i++) {
+        taut_sources from = from_zero;
+        from.struct_size = sizes[i];
+        CHECK_FAILS(taut_exact_field_new(exact, &from, NULL, NULL, &field), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+        CHECK(strstr(taut_last_error(NULL), "sources.struct_size") != NULL);
+        taut_properties properties = {.mean_edge = -1};
+        properties.struct_size = sizes[i];
+        CHECK_FAILS(taut_mesh_properties(mesh, &properties), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+        CHECK(properties.struct_size == sizes[i] && properties.mean_edge == -1);
+        taut_error error = {.struct_size = sizes[i], .reason = -1};
+        taut_last_error(&error); /* which tells no one */
+        CHECK(error.reason == -1);
+    }
+    taut_exact_free(exact);
+    taut_mesh_free(mesh);
+}
+
+static void what_is_reserved_is_zero(void) {
+    taut_mesh *mesh = NULL;
+    double d[15] = {-1};
+    taut_input in = positions;
+    taut_output out = room(d, 5);
+    in.reserved = 1;
+    CHECK_FAILS(taut_mesh_new(in, triangles, &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(strstr(taut_last_error(NULL), "positions.reserved") != NULL);
+    mesh = rectangle();
+    out.reserved = 1;
+    CHECK_FAILS(taut_mesh_positions(mesh, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(d[0] == -1);
+    taut_mesh_free(mesh);
+}
+
+static void what_interrupted_a_field(void) {
+    taut_exact *exact = exact_rectangle();
+    taut_exact_field *field = NULL;
+    taut_control *control = NULL;
+    taut_exact_options options = {.struct_size = sizeof options, .allow_partial = 1};
+    taut_error detail = {.struct_size = sizeof detail, .reason = -1};
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_new(exact, &from_zero, &options, control, &field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_interruption(field, &detail) == TAUT_STATUS_OK && detail.status == 0 && detail.reason == 0);
+    CHECK(taut_exact_field_windows(field) > 0 && taut_exact_field_windows(NULL) == 0);
+    taut_exact_field_free(field);
+
+    CHECK(taut_control_set_memory_limit(control, 1) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_new(exact, &from_zero, &options, control, &field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_interruption(field, &detail) == TAUT_STATUS_LIMIT_REACHED);
+    CHECK(detail.status == TAUT_STATUS_LIMIT_REACHED && detail.reason == TAUT_REASON_MEMORY_LIMIT);
+    detail.struct_size = 0;
+    CHECK(taut_exact_field_interruption(field, &detail) == TAUT_STATUS_INVALID_ARGUMENT);
+    CHECK(last_is(TAUT_REASON_BAD_ARGUMENT, 0, 0));
+    taut_exact_field_free(field);
+    taut_control_free(control);
+    taut_exact_free(exact);
+}
+
+static void residuals(void) {
+    taut_mesh *mesh = rectangle();
+    taut_heat *heat = NULL;
+    taut_control *control = NULL;
+    struct {
+        taut_heat_residuals known;
+        uint64_t newer;
+    } out;
+    memset(&out, 0xff, sizeof out);
+    CHECK(taut_heat_new(mesh, NULL, NULL, &heat) == TAUT_STATUS_OK);
+    out.known.struct_size = offsetof(taut_heat_residuals, poisson); /* older */
+    CHECK(taut_heat_residuals_of(heat, &from_zero, NULL, &out.known) == TAUT_STATUS_OK);
+    CHECK(out.known.heat >= 0 && out.known.heat < 1e-12 && isnan(out.known.poisson));
+    out.known.struct_size = sizeof out; /* newer */
+    CHECK(taut_heat_residuals_of(heat, &from_zero, NULL, &out.known) == TAUT_STATUS_OK);
+    CHECK(out.known.poisson >= 0 && out.known.poisson < 1e-12 && out.newer == 0);
+
+    out.known.heat = -1;
+    const taut_sources none = {.struct_size = sizeof none};
+    CHECK_FAILS(taut_heat_residuals_of(NULL, &from_zero, NULL, &out.known), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_residuals_of(heat, NULL, NULL, &out.known), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_residuals_of(heat, &from_zero, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_residuals_of(heat, &none, NULL, &out.known), TAUT_REASON_NO_SOURCE, 0, 0);
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    taut_control_cancel(control);
+    CHECK_FAILS(taut_heat_residuals_of(heat, &from_zero, control, &out.known), TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(out.known.heat == -1);
+    taut_control_free(control);
+    taut_heat_free(heat);
+    taut_mesh_free(mesh);
+}
+
+static void levels_of_lines(void) {
+    taut_mesh *mesh = rectangle();
+    double levels[4] = {-1, -1, -1, -1};
+    size_t count = 77;
+    CHECK(taut_even_levels(mesh, values, 2, room(levels, 4), &count) == TAUT_STATUS_OK);
+    CHECK(count == 2 && levels[0] == 1 && levels[1] == 2 && levels[2] == -1);
+    float single[2];
+    CHECK(taut_spaced_levels(mesh, values, 1.25, typed(single, 2, TAUT_TYPE_F32), &count) == TAUT_STATUS_OK);
+    CHECK(count == 2 && single[0] == 1.25f && single[1] == 2.5f);
+    CHECK(taut_even_levels(mesh, values, 0, (taut_output){0}, &count) == TAUT_STATUS_OK && count == 0);
+    CHECK(taut_spaced_levels(mesh, values, 10, (taut_output){0}, &count) == TAUT_STATUS_OK && count == 0);
+
+    count = 77;
+    levels[0] = -1;
+    const taut_input four = scalars(along_x, 4);
+    const double bad_spacings[] = {0, -1, NAN, INFINITY, 1e-9};
+    CHECK_FAILS(taut_even_levels(NULL, values, 2, room(levels, 4), &count), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, values, 2, room(levels, 4), NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, values, 2, room(levels, 1), &count), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, values, TAUT_MAX_LEVELS + 1, room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT,
+                0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, values, SIZE_MAX, room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, four, 2, room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_spaced_levels(NULL, values, 1, room(levels, 4), &count), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_spaced_levels(mesh, values, 1, room(levels, 4), NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_spaced_levels(mesh, values, 1, room(levels, 1), &count), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_spaced_levels(mesh, four, 1, room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    for (size_t i = 0; i < 5; i++)
+        CHECK_FAILS(taut_spaced_levels(mesh, values, bad_spacings[i], room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT,
+                    0, 0);
+    CHECK(count == 77 && levels[0] == -1);
+    taut_mesh_free(mesh);
+}
+
+/* From (0, 0) to (3, 4) over the diagonal, and on to (3, 0): then distances from all of that. */
+static void a_curve_through_points(void) {
+    taut_exact *exact = exact_rectangle();
+    taut_curves *curves = NULL;
+    taut_control *control = NULL;
+    uint32_t faces[] = {0, 1, 0, 0}, begins[2];
+    const double weights[] = {1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0};
+    double d[5];
+    CHECK(taut_exact_curve_through(exact, indices(faces, 4), scalars(weights, 4), NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_count(curves) == 1 && taut_curves_point_count(curves) == 4);
+    uint32_t through[4], source = 77;
+    double at[3 * 4];
+    CHECK(taut_curves_offsets(curves, (taut_output){.data = begins, .count = 2}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_faces(curves, (taut_output){.data = through, .count = 4}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_barycentrics(curves, room(at, 4)) == TAUT_STATUS_OK);
+    CHECK(taut_curves_sources(curves, (taut_output){.data = &source, .count = 1}) == TAUT_STATUS_OK);
+    CHECK(source == UINT32_MAX);
+    const taut_sources line = {.struct_size = sizeof line,
+                               .curve_offsets = indices(begins, 2),
+                               .curve_faces = indices(through, 4),
+                               .curve_barycentrics = scalars(at, 4)};
+    CHECK(field_of(exact, &line, d) == TAUT_STATUS_OK);
+    CHECK(d[0] == 0 && d[1] == 0 && d[2] == 0 && fabs(d[3] - 2.4) < 1e-15);
+    const drawing it = drawn(curves);
+    CHECK(is_at(it.positions, 0, 0) && is_at(it.positions + 3, 1.5, 2) && is_at(it.positions + 6, 3, 4));
+    CHECK(is_at(it.positions + 9, 3, 0));
+
+    CHECK(taut_exact_curve_through(exact, each, each, NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_count(curves) == 1 && taut_curves_point_count(curves) == 0);
+    taut_curves_free(curves);
+
+    CHECK_FAILS(taut_exact_curve_through(NULL, each, each, NULL, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_curve_through(exact, each, each, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    curves = (taut_curves *)&failures; /* must be overwritten */
+    CHECK_FAILS(taut_exact_curve_through(exact, indices(faces, 4), scalars(weights, 3), NULL, &curves),
+                TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(curves == NULL && strstr(taut_last_error(NULL), "`faces`") != NULL);
+    faces[2] = 2;
+    CHECK_FAILS(taut_exact_curve_through(exact, indices(faces, 4), scalars(weights, 4), NULL, &curves),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 2);
+    const int64_t negative[] = {0, -1};
+    CHECK_FAILS(taut_exact_curve_through(exact, (taut_input){.data = negative, .count = 2, .type = TAUT_TYPE_I64},
+                                         scalars(weights, 2), NULL, &curves),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 1);
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    taut_control_cancel(control);
+    CHECK_FAILS(taut_exact_curve_through(exact, indices(faces, 2), scalars(weights, 2), control, &curves),
+                TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(curves == NULL);
+    taut_control_free(control);
+    taut_exact_free(exact);
+}
+
+/* {0, inside}, {2}: by both methods, the same as each set alone. */
+static void rows_of_sets(void) {
+    taut_mesh *mesh = rectangle();
+    taut_exact *exact = exact_rectangle();
+    taut_heat *heat = NULL;
+    CHECK(taut_heat_new(mesh, NULL, NULL, &heat) == TAUT_STATUS_OK);
+    const uint32_t vertices[] = {2, 0};
+    const int64_t offsets[] = {0, 1, 3};
+    const taut_input sets = {.data = offsets, .count = 3, .type = TAUT_TYPE_I64};
+    const taut_sources from = {.struct_size = sizeof from,
+                               .vertices = indices(vertices, 2),
+                               .faces = indices(two_faces, 1),
+                               .barycentrics = scalars(inside, 1)},
+                       first = {.struct_size = sizeof first, .vertices = indices(vertices, 1)};
+    taut_sources second = from;
+    second.vertices = indices(vertices + 1, 1);
+    double rows[2 * 5], expected[2 * 5];
+    CHECK(field_of(exact, &first, expected) == TAUT_STATUS_OK && field_of(exact, &second, expected + 5) == TAUT_STATUS_OK);
+    CHECK(taut_exact_distance_rows(exact, &from, sets, 2, NULL, room(rows, 2)) == TAUT_STATUS_OK);
+    CHECK(memcmp(rows, expected, sizeof rows) == 0);
+    CHECK(heat_distances(heat, &first, expected) == TAUT_STATUS_OK);
+    CHECK(heat_distances(heat, &second, expected + 5) == TAUT_STATUS_OK);
+    CHECK(taut_heat_distance_rows(heat, &from, sets, 2, NULL, room(rows, 2)) == TAUT_STATUS_OK);
+    CHECK(memcmp(rows, expected, sizeof rows) == 0);
+
+    const taut_sources none = {.struct_size = sizeof none};
+    const uint32_t only_end[] = {0}, from_one[] = {1, 3}, short_of[] = {0, 2}, back[] = {0, 2, 1, 3}, empty[] = {0, 0, 3};
+    CHECK(taut_exact_distance_rows(exact, &none, indices(only_end, 1), 1, NULL, (taut_output){0}) == TAUT_STATUS_OK);
+    memset(rows, 0xff, sizeof rows);
+    memset(expected, 0xff, sizeof expected);
+    const taut_input bad[] = {indices(only_end, 1), indices(from_one, 2), indices(short_of, 2), indices(back, 4),
+                              typed_input(offsets, 3, TAUT_TYPE_F64)};
+    for (size_t i = 0; i < 5; i++) {
+        CHECK_FAILS(taut_exact_distance_rows(exact, &from, bad[i], 1, NULL, room(rows, 2)), TAUT_REASON_BAD_ARGUMENT, 0,
+                    0);
+        CHECK(strstr(taut_last_error(NULL), "`set_offsets") != NULL);
+        CHECK_FAILS(taut_heat_distance_rows(heat, &from, bad[i], 1, NULL, room(rows, 2)), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    }
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, indices(empty, 3), 1, NULL, room(rows, 2)), TAUT_REASON_NO_SOURCE,
+                0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, sets, 1, NULL, room(rows, 1)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    const uint32_t beyond[] = {2, 5};
+    second.vertices = indices(beyond, 2); /* the first of the second set */
+    CHECK_FAILS(taut_heat_distance_rows(heat, &second, sets, 1, NULL, room(rows, 2)), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+                TAUT_ELEMENT_SOURCE, 1);
+    CHECK(memcmp(rows, expected, sizeof rows) == 0);
+    taut_heat_free(heat);
+    taut_exact_free(exact);
+    taut_mesh_free(mesh);
+}
+
+static void meshes_from_memory(void) {
+    static const char off[] = "OFF\n3 1 0\n0 0 0\n3 0 0\n0 4 0\n3 0 1 2\n", obj[] = "v 0 0 0\nv 3 0 0\nv 0 4 0\nf 1 2 3\n";
+    taut_mesh *mesh = NULL;
+    CHECK(taut_mesh_read_bytes(off, sizeof off - 1, TAUT_FORMAT_OFF, &mesh) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_vertex_count(mesh) == 3 && taut_mesh_triangle_count(mesh) == 1);
+    taut_mesh_free(mesh);
+    CHECK(taut_mesh_read_bytes(obj, sizeof obj - 1, TAUT_FORMAT_OBJ, &mesh) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_vertex_count(mesh) == 3 && taut_mesh_triangle_count(mesh) == 1);
+    taut_mesh_free(mesh);
+
+    mesh = (taut_mesh *)&failures; /* must be overwritten */
+    CHECK_FAILS(taut_mesh_read_bytes(off, sizeof off - 9, TAUT_FORMAT_OFF, &mesh), TAUT_REASON_TRUNCATED,
+                TAUT_ELEMENT_FACE, 0);
+    CHECK(mesh == NULL);
+    for (taut_format format = TAUT_FORMAT_GLB; format <= TAUT_FORMAT_STL; format++)
+        CHECK(taut_mesh_read_bytes(NULL, 0, format, &mesh) == TAUT_STATUS_FORMAT && mesh == NULL);
+    CHECK_FAILS(taut_mesh_read_bytes(off, sizeof off, 0, &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_mesh_read_bytes(off, sizeof off, TAUT_FORMAT_STL + 1, &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_mesh_read_bytes(NULL, 1, TAUT_FORMAT_OFF, &mesh), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_mesh_read_bytes(off, SIZE_MAX, TAUT_FORMAT_OFF, &mesh), TAUT_REASON_TOO_MANY_ELEMENTS, 0, 0);
+    CHECK_FAILS(taut_mesh_read_bytes(off, sizeof off, TAUT_FORMAT_OFF, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+}
+
+static void positions_of_points(void) {
+    taut_mesh *mesh = rectangle();
+    const uint32_t beyond[] = {1, 2};
+    const int32_t negative[] = {1, -1};
+    double at[6] = {-1, -1, -1, -1, -1, -1};
+    float strided[8] = {0, 0, 0, 7, 0, 0, 0, 7};
+    const taut_output to_strided = {.data = strided, .count = 2, .stride = 16, .type = TAUT_TYPE_F32};
+    CHECK_FAILS(taut_mesh_point_positions(NULL, each, each, (taut_output){0}), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_mesh_point_positions(mesh, indices(beyond, 2), scalars(two_weights, 2), room(at, 2)),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_FACE, 2);
+    CHECK_FAILS(taut_mesh_point_positions(mesh, typed_input(negative, 2, TAUT_TYPE_I32), scalars(two_weights, 2),
+                                          room(at, 2)),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 1);
+    CHECK_FAILS(taut_mesh_point_positions(mesh, indices(two_faces, 1), scalars(two_weights, 2), room(at, 2)),
+                TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_mesh_point_positions(mesh, indices(two_faces, 2), scalars(two_weights, 2), room(at, 1)),
+                TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK(at[0] == -1 && at[3] == -1);
+    CHECK(taut_mesh_point_positions(mesh, indices(two_faces, 2), scalars(two_weights, 2), room(at, 2)) == TAUT_STATUS_OK);
+    CHECK(is_at(at, 3, 4) && is_at(at + 3, 2.25, 3));
+    CHECK(taut_mesh_point_positions(mesh, indices(two_faces, 2), scalars(two_weights, 2), to_strided) == TAUT_STATUS_OK);
+    CHECK(strided[0] == 3 && strided[3] == 7 && strided[4] == 2.25f && strided[7] == 7);
+    CHECK(taut_mesh_point_positions(mesh, each, each, (taut_output){0}) == TAUT_STATUS_OK);
+    taut_mesh_free(mesh);
+}
+
+/* Sources 0 and 2; from 3, from where none reaches, from 1. */
+static void where_paths_end(void) {
+    const uint32_t two[] = {2, 0}, targets[] = {3, 4, 1};
+    const taut_sources from = {.struct_size = sizeof from, .vertices = indices(two, 2)};
+    taut_exact_field *field = field_with(&from, NULL);
+    taut_mesh *mesh = rectangle();
+    taut_curves *curves = NULL;
+    double d[5];
+    int32_t ends[3];
+    CHECK(taut_exact_field_distances(field, NULL, room(d, 5)) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_paths(field, VERTICES(indices(targets, 3)), NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_sources(curves, typed(ends, 3, TAUT_TYPE_I32)) == TAUT_STATUS_OK);
+    CHECK(ends[0] == 0 && ends[1] == -1 && ends[2] == 1);
+    CHECK_FAILS(taut_curves_sources(curves, typed(ends, 2, TAUT_TYPE_I32)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_curves_sources(NULL, typed(ends, 3, TAUT_TYPE_I32)), TAUT_REASON_NULL_POINTER, 0, 0);
+    taut_curves_free(curves);
+
+    memset(ends, 0, sizeof ends);
+    CHECK(taut_descent_paths_new(mesh, scalars(d, 5), &from, VERTICES(indices(targets, 3)), NULL, &curves) == 0);
+    CHECK(taut_curves_sources(curves, typed(ends, 3, TAUT_TYPE_I32)) == TAUT_STATUS_OK);
+    CHECK(ends[0] == 0 && ends[1] == -1 && ends[2] == 1);
+    taut_curves_free(curves);
+
+    curves = two_lines();
+    CHECK(taut_curves_sources(curves, typed(ends, 3, TAUT_TYPE_I32)) == TAUT_STATUS_OK);
+    CHECK(ends[0] == -1 && ends[1] == -1);
+    taut_curves_free(curves);
+    taut_mesh_free(mesh);
+    taut_exact_field_free(field);
+}
+
+static void what_grows_with_what_is_asked_can_be_cancelled(void) {
+    enum { POINTS_ASKED = 1000 };
+    taut_mesh *mesh = hills();
+    taut_closest *closest = NULL;
+    taut_curves *curves = NULL;
+    taut_control *control = NULL;
+    witness seen = {.cancel_at = 5};
+    double *at = malloc(sizeof *at * 3 * HILL_VERTICES), weights[3 * POINTS_ASKED], far[POINTS_ASKED] = {-1};
+    uint32_t faces[POINTS_ASKED] = {77};
+    CHECK(taut_closest_new(mesh, &closest) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_positions(mesh, room(at, HILL_VERTICES)) == TAUT_STATUS_OK);
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_callback(control, watch, &seen) == TAUT_STATUS_OK);
+    const taut_output to_faces = {.data = faces, .count = POINTS_ASKED};
+    CHECK_FAILS(taut_closest_points(closest, scalars(at, POINTS_ASKED), control, to_faces, room(weights, POINTS_ASKED),
+                                    room(far, POINTS_ASKED)),
+                TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(seen.calls == 5 && seen.progress > 0 && faces[0] == 77 && far[0] == -1);
+    taut_control_free(control);
+
+    const taut_input heights = {.data = at + 2, .count = HILL_VERTICES, .stride = 3 * sizeof *at};
+    seen = (witness){.cancel_at = 5};
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_callback(control, watch, &seen) == TAUT_STATUS_OK);
+    CHECK_FAILS(taut_descent_paths_new(mesh, heights, NULL, NULL, control, &curves), TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(curves == NULL && seen.calls == 5 && seen.progress > 0);
+    taut_control_free(control);
+    free(at);
+    taut_closest_free(closest);
+    taut_mesh_free(mesh);
+}
+
 int main(void) {
     before_any_failure();
     versions_and_names();
@@ -1907,6 +2255,17 @@ int main(void) {
     distances_within_a_radius_that_is_special();
     farthest_points();
     long_batches();
+    sizes_that_were_never_set();
+    what_is_reserved_is_zero();
+    what_interrupted_a_field();
+    residuals();
+    levels_of_lines();
+    a_curve_through_points();
+    rows_of_sets();
+    meshes_from_memory();
+    positions_of_points();
+    where_paths_end();
+    what_grows_with_what_is_asked_can_be_cancelled();
     if (failures) fprintf(stderr, "%d checks failed\n", failures);
     return failures ? 1 : 0;
 }

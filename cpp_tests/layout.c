@@ -15,12 +15,14 @@ FIELD(taut_input, data, 0);
 FIELD(taut_input, count, 8);
 FIELD(taut_input, stride, 16);
 FIELD(taut_input, type, 24);
+FIELD(taut_input, reserved, 28);
 
 SIZE(taut_output, 32);
 FIELD(taut_output, data, 0);
 FIELD(taut_output, count, 8);
 FIELD(taut_output, stride, 16);
 FIELD(taut_output, type, 24);
+FIELD(taut_output, reserved, 28);
 
 SIZE(taut_sources, 264);
 FIELD(taut_sources, struct_size, 0);

@@ -98,7 +98,7 @@
 extern "C" {
 #endif // __cplusplus
 
-/* ----------------------------------------------------- Handles ----------------------------------------------------- */
+/* ---------------------------------------------------- Handles ----------------------------------------------------- */
 
 /** Watches, limits and cancels a long call from any thread. */
 typedef struct taut_control taut_control;
@@ -139,7 +139,7 @@ typedef struct taut_curves taut_curves;
 /** The diagnosis of a mesh. */
 typedef struct taut_report taut_report;
 
-/* ---------------------------------------------------- Versions ----------------------------------------------------- */
+/* ---------------------------------------------------- Versions ---------------------------------------------------- */
 
 /**
  * Tells the version of the library that runs, for example "0.1.0".
@@ -165,7 +165,7 @@ uint32_t taut_abi(void);
  */
 const char *taut_status_name(int32_t status);
 
-/* ----------------------------------------------------- Errors ------------------------------------------------------ */
+/* ----------------------------------------------------- Errors ----------------------------------------------------- */
 
 /** Coarse classes of failure; bindings map them one to one to exceptions. */
 enum taut_status
@@ -329,7 +329,7 @@ typedef struct {
  */
 const char *taut_last_error(taut_error *detail);
 
-/* ----------------------------------------------------- Buffers ----------------------------------------------------- */
+/* ---------------------------------------------------- Buffers ----------------------------------------------------- */
 
 /** Element type of a buffer; 0 means `double` where real numbers are asked for and `uint32_t` where indices are. */
 typedef uint32_t taut_type;
@@ -363,6 +363,8 @@ typedef struct {
     size_t stride;
     /** Type of an element; 0 means `double` or `uint32_t`. */
     taut_type type;
+    /** 0. */
+    uint32_t reserved;
 } taut_input;
 
 /**
@@ -379,9 +381,11 @@ typedef struct {
     size_t stride;
     /** Type of an element; 0 means `double` or `uint32_t`. A `float` receives the nearest value. */
     taut_type type;
+    /** 0. */
+    uint32_t reserved;
 } taut_output;
 
-/* ---------------------------------------- Progress, cancellation and limits ---------------------------------------- */
+/* --------------------------------------- Progress, cancellation and limits ---------------------------------------- */
 
 /**
  * A function of yours that is told the progress, in [0, 1], and whatever `user` points to. It returns 0 to go on; any
@@ -474,7 +478,7 @@ taut_status taut_control_set_callback(const taut_control *control, taut_callback
 /** Frees a control; NULL is fine. */
 void taut_control_free(taut_control *control);
 
-/* ----------------------------------------------------- Meshes ------------------------------------------------------ */
+/* ----------------------------------------------------- Meshes ----------------------------------------------------- */
 
 /** A mesh file format. */
 typedef uint32_t taut_format;
@@ -645,7 +649,7 @@ taut_status taut_mesh_ignored_triangles(const taut_mesh *mesh, taut_output out);
 /** Frees a mesh; NULL is fine. What was made from it stays valid. */
 void taut_mesh_free(taut_mesh *mesh);
 
-/* ---------------------------------------------- Places on the surface ---------------------------------------------- */
+/* --------------------------------------------- Places on the surface ---------------------------------------------- */
 
 /**
  * Where distances are measured from: vertices, points of the surface and curves on it, each at its own start distance.
@@ -751,7 +755,7 @@ taut_status taut_closest_points(const taut_closest *closest,
 /** Frees a prepared mesh; NULL is fine. */
 void taut_closest_free(taut_closest *closest);
 
-/* ------------------------------------------------- Exact distances ------------------------------------------------- */
+/* ------------------------------------------------ Exact distances ------------------------------------------------- */
 
 /** Options of `taut_exact_field_new`. All zero but the size is the default. */
 typedef struct {
@@ -880,15 +884,17 @@ taut_status taut_exact_field_paths(const taut_exact_field *field,
 double taut_exact_field_final_radius(const taut_exact_field *field);
 
 /**
- * Tells what interrupted the work before it had all that was asked for: the status that its call would have returned
- * without `allow_partial`.
+ * Tells what interrupted the work before it had all that was asked for, where `allow_partial` let it succeed all the same.
  *
  * - `field`: not NULL.
+ * - `detail`: NULL, or receives the failure that its call would have been; set `struct_size` before the call. All zero but
+ *   the size if nothing interrupted it.
  *
  * Returns TAUT_STATUS_OK if nothing did, TAUT_STATUS_CANCELLED or TAUT_STATUS_LIMIT_REACHED;
- * TAUT_STATUS_INVALID_ARGUMENT if `field` is NULL. Cost: O(1). Threads: any.
+ * TAUT_STATUS_INVALID_ARGUMENT if `field` is NULL or `detail` without its size. Cost: O(1). Threads: any.
  */
-taut_status taut_exact_field_interruption(const taut_exact_field *field);
+taut_status taut_exact_field_interruption(const taut_exact_field *field,
+                                          taut_error *detail);
 
 /**
  * Tells how many windows crossed a triangle: a measure of the work that does not depend on the machine.
@@ -925,7 +931,7 @@ taut_status taut_exact_curve_through(const taut_exact *exact,
                                      const taut_control *control,
                                      taut_curves **out);
 
-/* ------------------------------------ Exact distances from many sources at once ------------------------------------ */
+/* ----------------------------------- Exact distances from many sources at once ------------------------------------ */
 
 /**
  * Computes the exact distances of every vertex from each of several sources, or sets of sources: one field for each.
@@ -1057,7 +1063,7 @@ taut_status taut_exact_farthest_points(const taut_exact *exact,
                                        taut_output vertices,
                                        taut_output distances);
 
-/* ------------------------------------------------- The heat method ------------------------------------------------- */
+/* ------------------------------------------------ The heat method ------------------------------------------------- */
 
 /**
  * A formula for the time step t, from the edge lengths: their mean e and standard deviation s. 0 means
@@ -1369,7 +1375,8 @@ taut_status taut_heat_residuals_of(const taut_heat *heat,
  *
  * Errors: TAUT_REASON_BAD_ARGUMENT where the offsets are no such numbers; TAUT_REASON_NO_SOURCE where a set has none;
  * TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; else as for `taut_heat_field_new`. Cost: half of that of
- * `taut_heat_field_new` for each set, as eight are solved for at once; and 8 bytes for each number until all are there. Threads: any, also on one `heat` at once. The control is consulted between the steps.
+ * `taut_heat_field_new` for each set, as eight are solved for at once; and 8 bytes for each number until all are there.
+ * Threads: any, also on one `heat` at once. The control is consulted between the steps.
  */
 taut_status taut_heat_distance_rows(const taut_heat *heat,
                                     const taut_sources *sources,
@@ -1378,7 +1385,7 @@ taut_status taut_heat_distance_rows(const taut_heat *heat,
                                     const taut_control *control,
                                     taut_output out);
 
-/* ----------------------------------------------------- Curves ------------------------------------------------------ */
+/* ----------------------------------------------------- Curves ----------------------------------------------------- */
 
 /** The most levels that `taut_even_levels` and `taut_spaced_levels` give. */
 #define TAUT_MAX_LEVELS 10000
@@ -1577,7 +1584,7 @@ taut_status taut_curves_sources(const taut_curves *curves, taut_output out);
 /** Frees curves; NULL is fine. */
 void taut_curves_free(taut_curves *curves);
 
-/* ------------------------------------------ What is unusual about a mesh ------------------------------------------- */
+/* ------------------------------------------ What is unusual about a mesh ------------------------------------------ */
 
 /** A kind of findings; `taut_report_count` tells how many there are, `taut_report_list` lists them. */
 typedef uint32_t taut_finding;

@@ -70,7 +70,7 @@ fn written(config: cbindgen::Config, root: &Path, files: &[&str]) -> String {
 
 /// `/* ---- title ---- */`, as long as a line.
 fn heading(title: &str) -> String {
-    let dashes = 120 - "/*   */".len() - title.len();
+    let dashes = 120 - "/*    */".len() - title.len();
     format!("/* {} {title} {} */\n\n", "-".repeat(dashes / 2), "-".repeat(dashes - dashes / 2))
 }
 

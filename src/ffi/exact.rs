@@ -2,10 +2,10 @@
 
 use super::control::taut_control;
 use super::curves::taut_curves;
-use super::guard::{control_or_new, free, guard, guard_new, guard_value, required};
+use super::guard::{control_or_new, error_detail, free, guard, guard_new, guard_value, required, taut_error};
 use super::mesh::taut_mesh;
 use super::places::{sources, surface_points, targets, taut_sources, taut_targets};
-use super::types::{SizedStruct, bad_enum, read_sized, taut_input, taut_output};
+use super::types::{SizedStruct, bad_enum, read_sized, taut_input, taut_output, write_sized};
 use crate::{Element, Error, ExactField, ExactOptions, ExactSolver, Mesh, Result, Status, Target};
 use std::borrow::Cow;
 
@@ -233,17 +233,26 @@ pub extern "C" fn taut_exact_field_final_radius(field: Option<&taut_exact_field>
     guard_value(0.0, || Ok(required(field, "field")?.field.final_radius()))
 }
 
-/// Tells what interrupted the work before it had all that was asked for: the status that its call would have returned
-/// without `allow_partial`.
+/// Tells what interrupted the work before it had all that was asked for, where `allow_partial` let it succeed all the same.
 ///
 /// - `field`: not NULL.
+/// - `detail`: NULL, or receives the failure that its call would have been; set `struct_size` before the call. All zero but
+///   the size if nothing interrupted it.
 ///
 /// Returns TAUT_STATUS_OK if nothing did, TAUT_STATUS_CANCELLED or TAUT_STATUS_LIMIT_REACHED;
-/// TAUT_STATUS_INVALID_ARGUMENT if `field` is NULL. Cost: O(1). Threads: any.
+/// TAUT_STATUS_INVALID_ARGUMENT if `field` is NULL or `detail` without its size. Cost: O(1). Threads: any.
 #[unsafe(no_mangle)]
-pub extern "C" fn taut_exact_field_interruption(field: Option<&taut_exact_field>) -> Status {
+pub unsafe extern "C" fn taut_exact_field_interruption(
+    field: Option<&taut_exact_field>,
+    detail: *mut taut_error,
+) -> Status {
     guard_value(Status::InvalidArgument, || {
-        Ok(required(field, "field")?.field.interruption().map_or(Status::Ok, Error::status))
+        let interruption = required(field, "field")?.field.interruption();
+        if !detail.is_null() {
+            // SAFETY: it is not NULL, and the header asks for a struct of at least the size that it states.
+            unsafe { write_sized(detail, interruption.map(error_detail).as_ref(), "detail")? };
+        }
+        Ok(interruption.map_or(Status::Ok, Error::status))
     })
 }
 

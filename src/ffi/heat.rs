@@ -4,7 +4,7 @@ use super::control::taut_control;
 use super::guard::{control_or_new, free, guard, guard_new, guard_value, null, required};
 use super::mesh::taut_mesh;
 use super::places::{source_sets, sources, taut_sources};
-use super::types::{SizedStruct, bad_enum, read_sized, taut_input, taut_output, write_required};
+use super::types::{SizedStruct, bad_enum, check_reserved, read_sized, taut_input, taut_output, write_sized};
 use crate::{
     Error, HeatField, HeatOptions, HeatReport, HeatResiduals, HeatSolver, Laplacian, Reason, Result, Shift, Solver,
     Status, TimeFormula, TimeScale, TimeStep,
@@ -170,7 +170,7 @@ pub unsafe extern "C" fn taut_time_step_value(
             return Err(null("out"));
         }
         // SAFETY: it is not NULL, and the header asks for a writable double.
-        unsafe { out.write(value) };
+        unsafe { out.write_unaligned(value) };
         Ok(())
     })
 }
@@ -274,7 +274,7 @@ pub unsafe extern "C" fn taut_heat_report_of(heat: Option<&taut_heat>, out: *mut
     guard(|| {
         let report = required(heat, "heat")?.0.report();
         // SAFETY: the header asks for a struct of at least the size that it states.
-        unsafe { write_required(out, &taut_heat_report::from(report)) }
+        unsafe { write_sized(out, Some(&taut_heat_report::from(report)), "out") }
     })
 }
 
@@ -413,7 +413,7 @@ pub unsafe extern "C" fn taut_heat_residuals_of(
         let HeatResiduals { heat, poisson } = heat.residuals(&sources, &control_or_new(control))?;
         let residuals = taut_heat_residuals { struct_size: size_of::<taut_heat_residuals>(), heat, poisson };
         // SAFETY: the header asks for a struct of at least the size that it states.
-        unsafe { write_required(out, &residuals) }
+        unsafe { write_sized(out, Some(&residuals), "out") }
     })
 }
 
@@ -429,7 +429,8 @@ pub unsafe extern "C" fn taut_heat_residuals_of(
 ///
 /// Errors: TAUT_REASON_BAD_ARGUMENT where the offsets are no such numbers; TAUT_REASON_NO_SOURCE where a set has none;
 /// TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; else as for `taut_heat_field_new`. Cost: half of that of
-/// `taut_heat_field_new` for each set, as eight are solved for at once; and 8 bytes for each number until all are there. Threads: any, also on one `heat` at once. The control is consulted between the steps.
+/// `taut_heat_field_new` for each set, as eight are solved for at once; and 8 bytes for each number until all are there.
+/// Threads: any, also on one `heat` at once. The control is consulted between the steps.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_distance_rows(
     heat: Option<&taut_heat>,
@@ -467,9 +468,7 @@ fn heat_options(options: &taut_heat_options) -> Result<HeatOptions> {
         TAUT_SOLVER_LDL => Solver::Ldl,
         other => return Err(bad_enum("options.solver", other)),
     };
-    if options.reserved != 0 {
-        return Err(bad_enum("options.reserved", options.reserved));
-    }
+    check_reserved(options.reserved, "options")?;
     let time_step = time_step_of(&options.time_step)?;
     Ok(HeatOptions { laplacian, solver, time_step, boundary: options.boundary, shift })
 }

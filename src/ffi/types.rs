@@ -37,6 +37,8 @@ pub struct taut_input {
     pub stride: usize,
     /// Type of an element; 0 means `double` or `uint32_t`.
     pub r#type: taut_type,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// A buffer that a call fills, laid out like `taut_input`.
@@ -53,6 +55,8 @@ pub struct taut_output {
     pub stride: usize,
     /// Type of an element; 0 means `double` or `uint32_t`. A `float` receives the nearest value.
     pub r#type: taut_type,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// A struct that grows at its end from version to version.
@@ -61,6 +65,23 @@ pub struct taut_output {
 /// `repr(C)`; the first field is `struct_size: usize`. One that is read from the caller must be valid for any bytes,
 /// and must end without padding, where a later version's field would find garbage.
 pub(super) unsafe trait SizedStruct: Copy {}
+
+/// No struct is as large; a size beyond it was never set.
+const MOST_STRUCT_SIZE: usize = 4096;
+
+/// The size that a caller's struct states.
+///
+/// # Safety
+/// The first field is readable.
+unsafe fn stated_size<T: SizedStruct>(pointer: *const T, name: &str) -> Result<usize> {
+    // SAFETY: as the caller promises.
+    let size = unsafe { pointer.cast::<usize>().read_unaligned() };
+    if (size_of::<usize>()..=MOST_STRUCT_SIZE).contains(&size) {
+        return Ok(size);
+    }
+    let message = format!("`{name}.struct_size` is {size}; set it to sizeof(the struct)");
+    Err(Error::new(Reason::BadArgument, message))
+}
 
 /// A caller's struct; fields that it does not have, and all fields if it is NULL, are zero.
 ///
@@ -71,11 +92,7 @@ pub(super) unsafe fn read_sized<T: SizedStruct>(pointer: *const T, name: &str) -
     if !pointer.is_null() {
         let bytes = pointer.cast::<u8>();
         // SAFETY: the struct has at least its size field.
-        let size = unsafe { bytes.cast::<usize>().read_unaligned() };
-        if size < size_of::<usize>() {
-            let message = format!("`{name}.struct_size` is {size}; set it to sizeof(the struct)");
-            return Err(Error::new(Reason::BadArgument, message));
-        }
+        let size = unsafe { stated_size(pointer, name)? };
         let known = size.min(size_of::<T>());
         // SAFETY: the caller promises `size` readable bytes.
         let unknown = unsafe { std::slice::from_raw_parts(bytes.add(known), size - known) };
@@ -90,50 +107,28 @@ pub(super) unsafe fn read_sized<T: SizedStruct>(pointer: *const T, name: &str) -
     Ok(unsafe { copy.assume_init() })
 }
 
-/// Fills the fields that the caller's struct has and this version knows, and zeroes the others but the size.
+/// Fills the fields that the caller's struct has and this version knows, and zeroes the others but the size; all of them
+/// where there is no value.
 ///
 /// # Safety
-/// `pointer` is NULL or points to as many writable bytes as its first field says.
-pub(super) unsafe fn write_sized<T: SizedStruct>(pointer: *mut T, value: &T) {
-    // SAFETY: as the caller promises.
-    let size = unsafe { zero_sized(pointer) };
-    let head = size_of::<usize>();
-    if let Some(body) = size.min(size_of::<T>()).checked_sub(head) {
-        let from = std::ptr::from_ref(value).cast::<u8>();
-        // SAFETY: both sides have head + body bytes, and `value` is ours.
-        unsafe { pointer.cast::<u8>().add(head).copy_from_nonoverlapping(from.add(head), body) };
-    }
-}
-
-/// [`write_sized`] to a pointer that must not be NULL.
-///
-/// # Safety
-/// As for [`write_sized`].
-pub(super) unsafe fn write_required<T: SizedStruct>(out: *mut T, value: &T) -> Result<()> {
+/// `out` is NULL or points to as many writable bytes as its first field says.
+pub(super) unsafe fn write_sized<T: SizedStruct>(out: *mut T, value: Option<&T>, name: &str) -> Result<()> {
     if out.is_null() {
-        return Err(null("out"));
-    }
-    // SAFETY: as the caller promises.
-    unsafe { write_sized(out, value) };
-    Ok(())
-}
-
-/// Zeroes everything but the size, which it returns; 0 for NULL.
-///
-/// # Safety
-/// As [`write_sized`].
-pub(super) unsafe fn zero_sized<T: SizedStruct>(pointer: *mut T) -> usize {
-    if pointer.is_null() {
-        return 0;
+        return Err(null(name));
     }
     let head = size_of::<usize>();
-    // SAFETY: the struct has at least its size field.
-    let size = unsafe { pointer.cast::<usize>().read_unaligned() };
-    if let Some(body) = size.checked_sub(head) {
-        // SAFETY: the caller promises `size` writable bytes.
-        unsafe { pointer.cast::<u8>().add(head).write_bytes(0, body) };
+    // SAFETY: the struct has at least its size field, and the caller promises `size` writable bytes; both sides have the
+    // bytes that are copied, and `value` is ours.
+    unsafe {
+        let size = stated_size(out, name)?;
+        let body = out.cast::<u8>().add(head);
+        body.write_bytes(0, size - head);
+        if let Some(value) = value {
+            let from = std::ptr::from_ref(value).cast::<u8>().add(head);
+            body.copy_from_nonoverlapping(from, size.min(size_of::<T>()) - head);
+        }
     }
-    size
+    Ok(())
 }
 
 impl taut_input {
@@ -168,6 +163,7 @@ impl taut_input {
     /// # Safety
     /// As [`taut_input::scalars`].
     unsafe fn rows<'a, T: ElementType>(self, width: usize, kind: T, name: &str) -> Result<Rows<'a, T>> {
+        check_reserved(self.reserved, name)?;
         let layout = Layout::new(self.data, self.count, self.stride, width, kind, name)?;
         let bytes = match self.count {
             0 => &[],
@@ -287,6 +283,7 @@ impl taut_output {
 
     /// The checked layout of `needed` rows in this view.
     fn layout<T: ElementType>(self, needed: usize, width: usize, kind: T, name: &str) -> Result<Layout> {
+        check_reserved(self.reserved, name)?;
         let layout = Layout::new(self.data, self.count, self.stride, width, kind, name)?;
         if self.count < needed {
             let message = format!("`{name}` has room for {} rows, but {needed} are needed", self.count);
@@ -365,6 +362,11 @@ fn index_type(kind: taut_type, name: &str) -> Result<IndexType> {
         TAUT_TYPE_I64 => Ok(IndexType::I64),
         _ => Err(bad_enum(&format!("{name}.type"), kind)),
     }
+}
+
+/// A later version may give these bytes a meaning, which this one must not miss.
+pub(super) fn check_reserved(reserved: u32, name: &str) -> Result<()> {
+    if reserved == 0 { Ok(()) } else { Err(bad_enum(&format!("{name}.reserved"), reserved)) }
 }
 
 /// The error of an enum parameter or field whose value means nothing there.
