@@ -16,10 +16,13 @@ const taut_input triangles = {.data = corners, .count = 2};
 const double along_x[5] = {0, 3, 3, 0, INFINITY};
 const taut_input values = {.data = along_x, .count = 5};
 const uint32_t zero = 0;
+const taut_input each = {0};
 const taut_sources from_zero = {.struct_size = sizeof from_zero, .vertices = {.data = &zero, .count = 1}};
 const taut_exact_options keeping = {.struct_size = sizeof keeping, .keep_windows = 1};
 const uint32_t face_zero = 0;
 const double inside[3] = {0.5, 0.25, 0.25};
+const uint32_t two_faces[2] = {1, 1};
+const double two_weights[6] = {0, 1, 0, 0.25, 0.5, 0.25};
 
 taut_mesh *rectangle(void) {
     taut_mesh *mesh = NULL;

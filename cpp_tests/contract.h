@@ -47,6 +47,8 @@ extern const taut_input values;
 taut_curves *two_lines(void);
 
 extern const uint32_t zero;
+/* Each source makes a set of its own. */
+extern const taut_input each;
 extern const taut_sources from_zero;
 bool is_rectangle_field(const double *d);
 
@@ -61,6 +63,9 @@ extern const taut_exact_options keeping;
 /* At (0.75, 1) in the first triangle: 1.25 from vertex 0 and 3.75 from vertex 2. */
 extern const uint32_t face_zero;
 extern const double inside[3];
+/* At vertex 2, and at (2.25, 3): both in the second triangle. */
+extern const uint32_t two_faces[2];
+extern const double two_weights[6];
 
 /* Targets in a call. */
 #define VERTICES(v) (&(const taut_targets){.struct_size = sizeof(taut_targets), .vertices = (v)})
@@ -92,6 +97,10 @@ bool is_at(const double *position, double x, double y);
 static inline taut_input scalars(const double *data, size_t count) { return (taut_input){.data = data, .count = count}; }
 
 static inline taut_input indices(const uint32_t *data, size_t count) { return (taut_input){.data = data, .count = count}; }
+
+static inline taut_input typed_input(const void *data, size_t count, taut_type type) {
+    return (taut_input){.data = data, .count = count, .type = type};
+}
 
 static inline taut_output room(double *data, size_t count) { return (taut_output){.data = data, .count = count}; }
 

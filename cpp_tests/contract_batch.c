@@ -31,7 +31,7 @@ static void distance_rows(void) {
     const size_t threads[] = {0, 1, 2, 8, SIZE_MAX};
     for (size_t t = 0; t < 5; t++) {
         for (size_t i = 0; i < 20; i++) d[i] = -1;
-        CHECK(taut_exact_distance_rows(exact, &from, threads[t], NULL, room(d, 4)) == TAUT_STATUS_OK);
+        CHECK(taut_exact_distance_rows(exact, &from, each, threads[t], NULL, room(d, 4)) == TAUT_STATUS_OK);
         CHECK(memcmp(d, expected, sizeof expected) == 0);
         for (size_t v = 15; v < 20; v++) CHECK(d[v] == -1);
     }
@@ -41,7 +41,7 @@ static void distance_rows(void) {
     memset(bytes, 0xab, sizeof bytes);
     const size_t stride = 5 * sizeof(float) + GAP;
     const taut_output packed = {.data = bytes + 1, .count = 3, .stride = stride, .type = TAUT_TYPE_F32};
-    CHECK(taut_exact_distance_rows(exact, &from, 1, NULL, packed) == TAUT_STATUS_OK);
+    CHECK(taut_exact_distance_rows(exact, &from, each, 1, NULL, packed) == TAUT_STATUS_OK);
     CHECK(bytes[0] == 0xab);
     for (size_t i = 0; i < 3; i++) {
         for (size_t v = 0; v < 5; v++) {
@@ -54,7 +54,7 @@ static void distance_rows(void) {
 
     /* No source has no rows. */
     const taut_sources none = {.struct_size = sizeof none};
-    CHECK(taut_exact_distance_rows(exact, &none, 8, NULL, (taut_output){0}) == TAUT_STATUS_OK);
+    CHECK(taut_exact_distance_rows(exact, &none, each, 8, NULL, (taut_output){0}) == TAUT_STATUS_OK);
     taut_exact_free(exact);
 }
 
@@ -64,38 +64,89 @@ static void distance_rows_all_or_none(void) {
     double d[15];
     for (size_t i = 0; i < 15; i++) d[i] = -1;
     taut_output out = room(d, 3);
-    CHECK_FAILS(taut_exact_distance_rows(NULL, &from, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, NULL, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, (taut_output){.count = 3}), TAUT_REASON_NULL_POINTER, 0,
+    CHECK_FAILS(taut_exact_distance_rows(NULL, &from, each, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, NULL, each, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, (taut_output){.count = 3}), TAUT_REASON_NULL_POINTER, 0,
                 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, room(d, 2)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, (taut_output){0}), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, room(d, 2)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, (taut_output){0}), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     out.stride = 4 * sizeof *d; /* a row has five */
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     out = typed(d, 3, TAUT_TYPE_I32);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
 
     /* More bytes than can be counted, or than there can be. */
     const size_t huge[] = {SIZE_MAX, SIZE_MAX / 8 / 5 + 1, PTRDIFF_MAX / 8 / 5 + 1};
     for (size_t i = 0; i < 3; i++) {
-        CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, room(d, huge[i])), TAUT_REASON_TOO_MANY_ELEMENTS, 0,
+        CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, room(d, huge[i])), TAUT_REASON_TOO_MANY_ELEMENTS, 0,
                     0);
     }
     out = room(d, 3);
     out.stride = SIZE_MAX;
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, out), TAUT_REASON_TOO_MANY_ELEMENTS, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, out), TAUT_REASON_TOO_MANY_ELEMENTS, 0, 0);
 
     const uint32_t beyond[] = {0, 5};
     from.vertices = indices(beyond, 2);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, NULL, room(d, 3)), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 2, NULL, room(d, 3)), TAUT_REASON_VERTEX_OUT_OF_RANGE,
                 TAUT_ELEMENT_SOURCE, 1);
     from = row_sources();
     const double bad_offsets[] = {0, 0, NAN};
     from.offsets = scalars(bad_offsets, 3);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, NULL, room(d, 3)), TAUT_REASON_BAD_ARGUMENT,
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 2, NULL, room(d, 3)), TAUT_REASON_BAD_ARGUMENT,
                 TAUT_ELEMENT_SOURCE, 2);
     for (size_t i = 0; i < 15; i++) CHECK(d[i] == -1);
     taut_exact_free(exact);
+}
+
+/* {0, inside}, {2}: by both methods, the same as each set alone. */
+static void rows_of_sets(void) {
+    taut_mesh *mesh = rectangle();
+    taut_exact *exact = exact_rectangle();
+    taut_heat *heat = NULL;
+    CHECK(taut_heat_new(mesh, NULL, NULL, &heat) == TAUT_STATUS_OK);
+    const uint32_t vertices[] = {2, 0};
+    const int64_t offsets[] = {0, 1, 3};
+    const taut_input sets = {.data = offsets, .count = 3, .type = TAUT_TYPE_I64};
+    const taut_sources from = {.struct_size = sizeof from,
+                               .vertices = indices(vertices, 2),
+                               .faces = indices(two_faces, 1),
+                               .barycentrics = scalars(inside, 1)},
+                       first = {.struct_size = sizeof first, .vertices = indices(vertices, 1)};
+    taut_sources second = from;
+    second.vertices = indices(vertices + 1, 1);
+    double rows[2 * 5], expected[2 * 5];
+    CHECK(field_of(exact, &first, expected) == TAUT_STATUS_OK && field_of(exact, &second, expected + 5) == TAUT_STATUS_OK);
+    CHECK(taut_exact_distance_rows(exact, &from, sets, 2, NULL, room(rows, 2)) == TAUT_STATUS_OK);
+    CHECK(memcmp(rows, expected, sizeof rows) == 0);
+    CHECK(heat_distances(heat, &first, expected) == TAUT_STATUS_OK);
+    CHECK(heat_distances(heat, &second, expected + 5) == TAUT_STATUS_OK);
+    CHECK(taut_heat_distance_rows(heat, &from, sets, 2, NULL, room(rows, 2)) == TAUT_STATUS_OK);
+    CHECK(memcmp(rows, expected, sizeof rows) == 0);
+
+    const taut_sources none = {.struct_size = sizeof none};
+    const uint32_t only_end[] = {0}, from_one[] = {1, 3}, short_of[] = {0, 2}, back[] = {0, 2, 1, 3}, empty[] = {0, 0, 3};
+    CHECK(taut_exact_distance_rows(exact, &none, indices(only_end, 1), 1, NULL, (taut_output){0}) == TAUT_STATUS_OK);
+    memset(rows, 0xff, sizeof rows);
+    memset(expected, 0xff, sizeof expected);
+    const taut_input bad[] = {indices(only_end, 1), indices(from_one, 2), indices(short_of, 2), indices(back, 4),
+                              typed_input(offsets, 3, TAUT_TYPE_F64)};
+    for (size_t i = 0; i < 5; i++) {
+        CHECK_FAILS(taut_exact_distance_rows(exact, &from, bad[i], 1, NULL, room(rows, 2)), TAUT_REASON_BAD_ARGUMENT, 0,
+                    0);
+        CHECK(strstr(taut_last_error(NULL), "`set_offsets") != NULL);
+        CHECK_FAILS(taut_heat_distance_rows(heat, &from, bad[i], 1, NULL, room(rows, 2)), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    }
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, indices(empty, 3), 1, NULL, room(rows, 2)), TAUT_REASON_NO_SOURCE,
+                0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, sets, 1, NULL, room(rows, 1)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    const uint32_t beyond[] = {2, 5};
+    second.vertices = indices(beyond, 2); /* the first of the second set */
+    CHECK_FAILS(taut_heat_distance_rows(heat, &second, sets, 1, NULL, room(rows, 2)), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+                TAUT_ELEMENT_SOURCE, 1);
+    CHECK(memcmp(rows, expected, sizeof rows) == 0);
+    taut_heat_free(heat);
+    taut_exact_free(exact);
+    taut_mesh_free(mesh);
 }
 
 static void distances_within(void) {
@@ -230,7 +281,7 @@ static void long_batches(void) {
     const size_t threads[] = {1, 2, 8};
     for (size_t t = 0; t < 3; t++) {
         memset(rows, 0xff, size);
-        CHECK(taut_exact_distance_rows(exact, &from, threads[t], NULL, room(rows, ROWS)) == TAUT_STATUS_OK);
+        CHECK(taut_exact_distance_rows(exact, &from, each, threads[t], NULL, room(rows, ROWS)) == TAUT_STATUS_OK);
         CHECK(memcmp(rows, expected, size) == 0);
     }
 
@@ -246,7 +297,7 @@ static void long_batches(void) {
             CHECK(taut_control_new(controls + i) == TAUT_STATUS_OK);
             CHECK(taut_control_set_callback(controls[i], watch, seen + i) == TAUT_STATUS_OK);
         }
-        CHECK_FAILS(taut_exact_distance_rows(exact, &from, threads[t], controls[0], room(rows, ROWS)),
+        CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, threads[t], controls[0], room(rows, ROWS)),
                     TAUT_REASON_CANCELLED, 0, 0);
         CHECK_FAILS(taut_exact_distances_within(exact, &from, 200, threads[t], controls[1], &sparse),
                     TAUT_REASON_CANCELLED, 0, 0);
@@ -263,11 +314,11 @@ static void long_batches(void) {
 
     taut_control *small = NULL;
     CHECK(taut_control_new(&small) == TAUT_STATUS_OK && taut_control_set_memory_limit(small, 1) == TAUT_STATUS_OK);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, small, room(rows, ROWS)), TAUT_REASON_MEMORY_LIMIT, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 2, small, room(rows, ROWS)), TAUT_REASON_MEMORY_LIMIT, 0, 0);
     CHECK_FAILS(taut_exact_distances_within(exact, &from, 5, 2, small, &sparse), TAUT_REASON_MEMORY_LIMIT, 0, 0);
     CHECK(taut_control_set_memory_limit(small, 0) == TAUT_STATUS_OK);
     CHECK(taut_control_set_time_limit(small, 0.01) == TAUT_STATUS_OK);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, small, room(rows, ROWS)), TAUT_REASON_TIME_LIMIT, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 2, small, room(rows, ROWS)), TAUT_REASON_TIME_LIMIT, 0, 0);
     taut_control_free(small);
     free(rows);
     free(expected);
@@ -277,6 +328,7 @@ static void long_batches(void) {
 const test tests[] = {
     TEST(distance_rows),
     TEST(distance_rows_all_or_none),
+    TEST(rows_of_sets),
     TEST(distances_within),
     TEST(distances_within_a_radius_that_is_special),
     TEST(farthest_points),

@@ -15,7 +15,7 @@ static void closest_points(void) {
     const float points[] = {1, 1, 2, 1.5f, 2, -1, 5, 3, 0, -3, -4, 0};
     uint16_t faces[4];
     double w[12], d[4];
-    CHECK(taut_closest_points(closest, (taut_input){.data = points, .count = 4, .type = TAUT_TYPE_F32},
+    CHECK(taut_closest_points(closest, (taut_input){.data = points, .count = 4, .type = TAUT_TYPE_F32}, NULL,
                               (taut_output){.data = faces, .count = 4, .type = TAUT_TYPE_U16},
                               (taut_output){.data = w, .count = 4},
                               (taut_output){.data = d, .count = 4}) == TAUT_STATUS_OK);
@@ -25,7 +25,7 @@ static void closest_points(void) {
     CHECK(w[3] == 0 && w[4] == 0.5 && w[5] == 0.5);
     CHECK(w[6] == 0.25 && w[7] == 0.75 && w[8] == 0);
     CHECK(w[9] == 1 && w[10] == 0 && w[11] == 0);
-    CHECK(taut_closest_points(closest, (taut_input){0}, (taut_output){0}, (taut_output){0}, (taut_output){0}) ==
+    CHECK(taut_closest_points(closest, (taut_input){0}, NULL, (taut_output){0}, (taut_output){0}, (taut_output){0}) ==
           TAUT_STATUS_OK);
     taut_closest_free(closest);
 
@@ -47,17 +47,17 @@ static void closest_points_fill_all_views_or_none(void) {
     const taut_output faces = {.data = f, .count = 2}, weights = {.data = w, .count = 2}, far = {.data = d, .count = 2};
     taut_output bad = faces;
     bad.count = 1;
-    CHECK_FAILS(taut_closest_points(closest, from, bad, weights, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_closest_points(closest, from, NULL, bad, weights, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     bad = weights;
     bad.count = 1;
-    CHECK_FAILS(taut_closest_points(closest, from, faces, bad, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_closest_points(closest, from, NULL, faces, bad, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     CHECK(strstr(taut_last_error(NULL), "barycentrics") != NULL);
     bad = far;
     bad.type = TAUT_TYPE_U32;
-    CHECK_FAILS(taut_closest_points(closest, from, faces, weights, bad), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_closest_points(closest, from, NULL, faces, weights, bad), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK(strstr(taut_last_error(NULL), "distances") != NULL);
     points[5] = NAN;
-    CHECK_FAILS(taut_closest_points(closest, from, faces, weights, far), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT,
+    CHECK_FAILS(taut_closest_points(closest, from, NULL, faces, weights, far), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT,
                 1);
     CHECK(f[0] == 77 && f[1] == 77 && d[0] == -1 && d[1] == -1);
     for (size_t i = 0; i < 6; i++) CHECK(w[i] == -1);
@@ -73,7 +73,7 @@ static void from_click_to_click(void) {
     const double clicks[] = {0.75, 1, 9, 2.25, 3, -9};
     uint32_t faces[2];
     double weights[6], off[2];
-    taut_status status = taut_closest_points(closest, scalars(clicks, 2), (taut_output){.data = faces, .count = 2},
+    taut_status status = taut_closest_points(closest, scalars(clicks, 2), NULL, (taut_output){.data = faces, .count = 2},
                                              room(weights, 2), room(off, 2));
     const taut_sources click = {
         .struct_size = sizeof click, .faces = indices(faces, 1), .barycentrics = scalars(weights, 1)};

@@ -22,7 +22,7 @@ static void cancelled_before_the_start(void) {
     taut_heat_field *heat_field = (taut_heat_field *)&failures;
     CHECK(taut_heat_field_new(heat, &from_zero, control, &heat_field) == TAUT_STATUS_CANCELLED && heat_field == NULL);
     const taut_output out = {.data = d, .count = 1, .stride = sizeof d};
-    CHECK(taut_heat_distance_rows(heat, &from_zero, 1, control, out) == TAUT_STATUS_CANCELLED);
+    CHECK(taut_heat_distance_rows(heat, &from_zero, each, 1, control, out) == TAUT_STATUS_CANCELLED);
     CHECK(taut_heat_with_mesh(heat, mesh, control, &again) == TAUT_STATUS_CANCELLED && again == NULL);
     for (size_t v = 0; v < 5; v++) CHECK(d[v] == -1);
     taut_control_free(control);
@@ -63,7 +63,7 @@ static void check_interrupted(job *it, taut_status why) {
     } else {
         double radius = taut_exact_field_final_radius(it->field);
         size_t known = 0;
-        CHECK(it->status == TAUT_STATUS_OK && taut_exact_field_interruption(it->field) == why);
+        CHECK(it->status == TAUT_STATUS_OK && taut_exact_field_interruption(it->field, NULL) == why);
         CHECK(radius < INFINITY);
         CHECK(taut_exact_field_distances(it->field, NULL, (taut_output){.data = d, .count = HILL_VERTICES}) ==
               TAUT_STATUS_OK);
@@ -145,7 +145,7 @@ static void limits(const taut_exact *exact) {
     CHECK_FAILS(taut_control_set_time_limit(it.control, -1), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK_FAILS(taut_control_set_time_limit(it.control, NAN), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     work(&it);
-    CHECK(it.status == TAUT_STATUS_OK && taut_exact_field_interruption(it.field) == TAUT_STATUS_OK);
+    CHECK(it.status == TAUT_STATUS_OK && taut_exact_field_interruption(it.field, NULL) == TAUT_STATUS_OK);
     taut_exact_field_free(it.field);
     CHECK(taut_control_set_time_limit(it.control, INFINITY) == TAUT_STATUS_OK);
     CHECK(taut_control_set_time_limit(it.control, 1e300) == TAUT_STATUS_OK);
@@ -181,8 +181,41 @@ static void long_calls(void) {
     taut_mesh_free(mesh);
 }
 
+static void what_grows_with_what_is_asked_can_be_cancelled(void) {
+    enum { POINTS_ASKED = 1000 };
+    taut_mesh *mesh = hills(SQUARES);
+    taut_closest *closest = NULL;
+    taut_curves *curves = NULL;
+    taut_control *control = NULL;
+    witness seen = {.cancel_at = 5};
+    double *at = malloc(sizeof *at * 3 * HILL_VERTICES), weights[3 * POINTS_ASKED], far[POINTS_ASKED] = {-1};
+    uint32_t faces[POINTS_ASKED] = {77};
+    CHECK(taut_closest_new(mesh, &closest) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_positions(mesh, room(at, HILL_VERTICES)) == TAUT_STATUS_OK);
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_callback(control, watch, &seen) == TAUT_STATUS_OK);
+    const taut_output to_faces = {.data = faces, .count = POINTS_ASKED};
+    CHECK_FAILS(taut_closest_points(closest, scalars(at, POINTS_ASKED), control, to_faces, room(weights, POINTS_ASKED),
+                                    room(far, POINTS_ASKED)),
+                TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(seen.calls == 5 && seen.progress > 0 && faces[0] == 77 && far[0] == -1);
+    taut_control_free(control);
+
+    const taut_input heights = {.data = at + 2, .count = HILL_VERTICES, .stride = 3 * sizeof *at};
+    seen = (witness){.cancel_at = 5};
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_callback(control, watch, &seen) == TAUT_STATUS_OK);
+    CHECK_FAILS(taut_descent_paths_new(mesh, heights, NULL, NULL, control, &curves), TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(curves == NULL && seen.calls == 5 && seen.progress > 0);
+    taut_control_free(control);
+    free(at);
+    taut_closest_free(closest);
+    taut_mesh_free(mesh);
+}
+
 const test tests[] = {
     TEST(cancelled_before_the_start),
     TEST(long_calls),
+    TEST(what_grows_with_what_is_asked_can_be_cancelled),
     {0},
 };

@@ -99,12 +99,46 @@ static void curves_fill_views_whole_or_not_at_all(void) {
     taut_curves_free(curves);
 }
 
+static void levels_of_lines(void) {
+    taut_mesh *mesh = rectangle();
+    double levels[4] = {-1, -1, -1, -1};
+    size_t count = 77;
+    CHECK(taut_even_levels(mesh, values, 2, room(levels, 4), &count) == TAUT_STATUS_OK);
+    CHECK(count == 2 && levels[0] == 1 && levels[1] == 2 && levels[2] == -1);
+    float single[2];
+    CHECK(taut_spaced_levels(mesh, values, 1.25, typed(single, 2, TAUT_TYPE_F32), &count) == TAUT_STATUS_OK);
+    CHECK(count == 2 && single[0] == 1.25f && single[1] == 2.5f);
+    CHECK(taut_even_levels(mesh, values, 0, (taut_output){0}, &count) == TAUT_STATUS_OK && count == 0);
+    CHECK(taut_spaced_levels(mesh, values, 10, (taut_output){0}, &count) == TAUT_STATUS_OK && count == 0);
+
+    count = 77;
+    levels[0] = -1;
+    const taut_input four = scalars(along_x, 4);
+    const double bad_spacings[] = {0, -1, NAN, INFINITY, 1e-9};
+    CHECK_FAILS(taut_even_levels(NULL, values, 2, room(levels, 4), &count), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, values, 2, room(levels, 4), NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, values, 2, room(levels, 1), &count), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, values, TAUT_MAX_LEVELS + 1, room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT,
+                0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, values, SIZE_MAX, room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, four, 2, room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_spaced_levels(NULL, values, 1, room(levels, 4), &count), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_spaced_levels(mesh, values, 1, room(levels, 4), NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_spaced_levels(mesh, values, 1, room(levels, 1), &count), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_spaced_levels(mesh, four, 1, room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    for (size_t i = 0; i < 5; i++)
+        CHECK_FAILS(taut_spaced_levels(mesh, values, bad_spacings[i], room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT,
+                    0, 0);
+    CHECK(count == 77 && levels[0] == -1);
+    taut_mesh_free(mesh);
+}
+
 static void paths_of_descent(void) {
     taut_mesh *mesh = rectangle();
     /* Along the upper side; from where nothing is lower; from a vertex of no triangle; along the lower side. */
     const uint32_t targets[] = {2, 0, 4, 1}, beyond[] = {0, 5};
     taut_curves *curves = NULL;
-    CHECK(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(targets, 4)), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(targets, 4)), NULL, &curves) == TAUT_STATUS_OK);
     CHECK(taut_curves_count(curves) == 4 && taut_curves_point_count(curves) == 5);
     drawing it = drawn(curves);
     CHECK(it.offsets[0] == 0 && it.offsets[1] == 2 && it.offsets[2] == 3 && it.offsets[3] == 3 && it.offsets[4] == 5);
@@ -113,7 +147,7 @@ static void paths_of_descent(void) {
     CHECK(is_at(it.positions + 6, 0, 0) && is_at(it.positions + 9, 3, 0) && is_at(it.positions + 12, 0, 0));
 
     /* All vertices; four of them have paths. */
-    CHECK(taut_descent_paths_new(mesh, values, NULL, NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, values, NULL, NULL, NULL, &curves) == TAUT_STATUS_OK);
     CHECK(taut_curves_count(curves) == 5 && taut_curves_point_count(curves) == 6);
     taut_curves_free(curves);
 
@@ -123,30 +157,85 @@ static void paths_of_descent(void) {
     const taut_input distances = {.data = from_middle, .count = 5};
     const taut_sources source = {
         .struct_size = sizeof source, .faces = indices(&zero, 1), .barycentrics = scalars(middle, 1)};
-    CHECK(taut_descent_paths_new(mesh, distances, &source, VERTICES(indices(targets, 1)), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, distances, &source, VERTICES(indices(targets, 1)), NULL, &curves) == TAUT_STATUS_OK);
     CHECK(taut_curves_point_count(curves) == 3);
     it = drawn(curves);
     CHECK(is_at(it.positions, 3, 4) && is_at(it.positions + 6, 0.75, 1) && it.faces[2] == 0);
-    CHECK(taut_descent_paths_new(mesh, distances, NULL, VERTICES(indices(targets, 1)), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, distances, NULL, VERTICES(indices(targets, 1)), NULL, &curves) == TAUT_STATUS_OK);
     it = drawn(curves);
     CHECK(it.offsets[1] > 1 && is_at(it.positions + 3 * (it.offsets[1] - 1), 0, 0));
 
     curves = (taut_curves *)&failures; /* must be overwritten */
     const taut_input four = {.data = along_x, .count = 4};
-    CHECK_FAILS(taut_descent_paths_new(mesh, four, NULL, NULL, &curves), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_descent_paths_new(mesh, four, NULL, NULL, NULL, &curves), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK(curves == NULL);
-    CHECK_FAILS(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(beyond, 2)), &curves),
+    CHECK_FAILS(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(beyond, 2)), NULL, &curves),
                 TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_ELEMENT_TARGET, 1);
     const taut_sources outside = {.struct_size = sizeof outside, .vertices = indices(beyond, 2)};
-    CHECK_FAILS(taut_descent_paths_new(mesh, values, &outside, NULL, &curves), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+    CHECK_FAILS(taut_descent_paths_new(mesh, values, &outside, NULL, NULL, &curves), TAUT_REASON_VERTEX_OUT_OF_RANGE,
                 TAUT_ELEMENT_SOURCE, 1);
     taut_mesh_free(mesh);
+}
+
+/* From (0, 0) to (3, 4) over the diagonal, and on to (3, 0): then distances from all of that. */
+static void a_curve_through_points(void) {
+    taut_exact *exact = exact_rectangle();
+    taut_curves *curves = NULL;
+    taut_control *control = NULL;
+    uint32_t faces[] = {0, 1, 0, 0}, begins[2];
+    const double weights[] = {1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0};
+    double d[5];
+    CHECK(taut_exact_curve_through(exact, indices(faces, 4), scalars(weights, 4), NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_count(curves) == 1 && taut_curves_point_count(curves) == 4);
+    uint32_t through[4], source = 77;
+    double at[3 * 4];
+    CHECK(taut_curves_offsets(curves, (taut_output){.data = begins, .count = 2}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_faces(curves, (taut_output){.data = through, .count = 4}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_barycentrics(curves, room(at, 4)) == TAUT_STATUS_OK);
+    CHECK(taut_curves_sources(curves, (taut_output){.data = &source, .count = 1}) == TAUT_STATUS_OK);
+    CHECK(source == UINT32_MAX);
+    const taut_sources line = {.struct_size = sizeof line,
+                               .curve_offsets = indices(begins, 2),
+                               .curve_faces = indices(through, 4),
+                               .curve_barycentrics = scalars(at, 4)};
+    CHECK(field_of(exact, &line, d) == TAUT_STATUS_OK);
+    CHECK(d[0] == 0 && d[1] == 0 && d[2] == 0 && fabs(d[3] - 2.4) < 1e-15);
+    const drawing it = drawn(curves);
+    CHECK(is_at(it.positions, 0, 0) && is_at(it.positions + 3, 1.5, 2) && is_at(it.positions + 6, 3, 4));
+    CHECK(is_at(it.positions + 9, 3, 0));
+
+    CHECK(taut_exact_curve_through(exact, each, each, NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_count(curves) == 1 && taut_curves_point_count(curves) == 0);
+    taut_curves_free(curves);
+
+    CHECK_FAILS(taut_exact_curve_through(NULL, each, each, NULL, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_curve_through(exact, each, each, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    curves = (taut_curves *)&failures; /* must be overwritten */
+    CHECK_FAILS(taut_exact_curve_through(exact, indices(faces, 4), scalars(weights, 3), NULL, &curves),
+                TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(curves == NULL && strstr(taut_last_error(NULL), "`faces`") != NULL);
+    faces[2] = 2;
+    CHECK_FAILS(taut_exact_curve_through(exact, indices(faces, 4), scalars(weights, 4), NULL, &curves),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 2);
+    const int64_t negative[] = {0, -1};
+    CHECK_FAILS(taut_exact_curve_through(exact, (taut_input){.data = negative, .count = 2, .type = TAUT_TYPE_I64},
+                                         scalars(weights, 2), NULL, &curves),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 1);
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    taut_control_cancel(control);
+    CHECK_FAILS(taut_exact_curve_through(exact, indices(faces, 2), scalars(weights, 2), control, &curves),
+                TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(curves == NULL);
+    taut_control_free(control);
+    taut_exact_free(exact);
 }
 
 const test tests[] = {
     TEST(lines),
     TEST(lines_that_make_no_sense),
     TEST(curves_fill_views_whole_or_not_at_all),
+    TEST(levels_of_lines),
     TEST(paths_of_descent),
+    TEST(a_curve_through_points),
     {0},
 };

@@ -1,4 +1,4 @@
-/* Versions, names and the last error. */
+/* Versions, names, the last error; structs that were never set. */
 #include "contract.h"
 
 /* Must run first: nothing has failed yet. */
@@ -46,9 +46,49 @@ static void errors_stay_until_the_next(void) {
     CHECK(detail.error.element == TAUT_ELEMENT_NONE && detail.newer == 0);
 }
 
+/* A size that was never set is found, in structs that are read and in those that are filled. */
+static void sizes_that_were_never_set(void) {
+    taut_mesh *mesh = rectangle();
+    taut_exact *exact = exact_rectangle();
+    taut_exact_field *field = NULL;
+    const size_t sizes[] = {0, sizeof(size_t) - 1, 4097, SIZE_MAX / 2, SIZE_MAX};
+    for (size_t i = 0; i < 5; i++) {
+        taut_sources from = from_zero;
+        from.struct_size = sizes[i];
+        CHECK_FAILS(taut_exact_field_new(exact, &from, NULL, NULL, &field), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+        CHECK(strstr(taut_last_error(NULL), "sources.struct_size") != NULL);
+        taut_properties properties = {.mean_edge = -1};
+        properties.struct_size = sizes[i];
+        CHECK_FAILS(taut_mesh_properties(mesh, &properties), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+        CHECK(properties.struct_size == sizes[i] && properties.mean_edge == -1);
+        taut_error error = {.struct_size = sizes[i], .reason = -1};
+        taut_last_error(&error); /* which tells no one */
+        CHECK(error.reason == -1);
+    }
+    taut_exact_free(exact);
+    taut_mesh_free(mesh);
+}
+
+static void what_is_reserved_is_zero(void) {
+    taut_mesh *mesh = NULL;
+    double d[15] = {-1};
+    taut_input in = positions;
+    taut_output out = room(d, 5);
+    in.reserved = 1;
+    CHECK_FAILS(taut_mesh_new(in, triangles, &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(strstr(taut_last_error(NULL), "positions.reserved") != NULL);
+    mesh = rectangle();
+    out.reserved = 1;
+    CHECK_FAILS(taut_mesh_positions(mesh, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(d[0] == -1);
+    taut_mesh_free(mesh);
+}
+
 const test tests[] = {
     TEST(before_any_failure),
     TEST(versions_and_names),
     TEST(errors_stay_until_the_next),
+    TEST(sizes_that_were_never_set),
+    TEST(what_is_reserved_is_zero),
     {0},
 };

@@ -48,7 +48,7 @@ static void a_radius(void) {
     double d[5];
     taut_exact_options options = {.struct_size = sizeof options, .radius = 4};
     CHECK(taut_exact_field_new(exact, &from_zero, &options, NULL, &field) == TAUT_STATUS_OK);
-    CHECK(taut_exact_field_final_radius(field) == 4 && taut_exact_field_interruption(field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_final_radius(field) == 4 && taut_exact_field_interruption(field, NULL) == TAUT_STATUS_OK);
     CHECK(taut_exact_field_distances(field, NULL, (taut_output){.data = d, .count = 5}) == TAUT_STATUS_OK);
     CHECK(d[0] == 0 && d[1] == 3 && d[2] == INFINITY && d[3] == 4 && d[4] == INFINITY);
     taut_exact_field_free(field);
@@ -112,10 +112,6 @@ static void nearest_sources(void) {
     free(same);
     free(offsets);
 }
-
-/* At vertex 2, and at (2.25, 3): both in the second triangle. */
-static const uint32_t two_faces[] = {1, 1};
-static const double two_weights[] = {0, 1, 0, 0.25, 0.5, 0.25};
 
 static void points_of_a_field(void) {
     const uint32_t ends[] = {4, 0};
@@ -278,6 +274,61 @@ static void all_paths(void) {
     taut_exact_field_free(field);
 }
 
+/* Sources 0 and 2; from 3, from where none reaches, from 1. */
+static void where_paths_end(void) {
+    const uint32_t two[] = {2, 0}, targets[] = {3, 4, 1};
+    const taut_sources from = {.struct_size = sizeof from, .vertices = indices(two, 2)};
+    taut_exact_field *field = field_with(&from, NULL);
+    taut_mesh *mesh = rectangle();
+    taut_curves *curves = NULL;
+    double d[5];
+    int32_t ends[3];
+    CHECK(taut_exact_field_distances(field, NULL, room(d, 5)) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_paths(field, VERTICES(indices(targets, 3)), NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_sources(curves, typed(ends, 3, TAUT_TYPE_I32)) == TAUT_STATUS_OK);
+    CHECK(ends[0] == 0 && ends[1] == -1 && ends[2] == 1);
+    CHECK_FAILS(taut_curves_sources(curves, typed(ends, 2, TAUT_TYPE_I32)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_curves_sources(NULL, typed(ends, 3, TAUT_TYPE_I32)), TAUT_REASON_NULL_POINTER, 0, 0);
+    taut_curves_free(curves);
+
+    memset(ends, 0, sizeof ends);
+    CHECK(taut_descent_paths_new(mesh, scalars(d, 5), &from, VERTICES(indices(targets, 3)), NULL, &curves) == 0);
+    CHECK(taut_curves_sources(curves, typed(ends, 3, TAUT_TYPE_I32)) == TAUT_STATUS_OK);
+    CHECK(ends[0] == 0 && ends[1] == -1 && ends[2] == 1);
+    taut_curves_free(curves);
+
+    curves = two_lines();
+    CHECK(taut_curves_sources(curves, typed(ends, 3, TAUT_TYPE_I32)) == TAUT_STATUS_OK);
+    CHECK(ends[0] == -1 && ends[1] == -1);
+    taut_curves_free(curves);
+    taut_mesh_free(mesh);
+    taut_exact_field_free(field);
+}
+
+static void what_interrupted_a_field(void) {
+    taut_exact *exact = exact_rectangle();
+    taut_exact_field *field = NULL;
+    taut_control *control = NULL;
+    taut_exact_options options = {.struct_size = sizeof options, .allow_partial = 1};
+    taut_error detail = {.struct_size = sizeof detail, .reason = -1};
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_new(exact, &from_zero, &options, control, &field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_interruption(field, &detail) == TAUT_STATUS_OK && detail.status == 0 && detail.reason == 0);
+    CHECK(taut_exact_field_windows(field) > 0 && taut_exact_field_windows(NULL) == 0);
+    taut_exact_field_free(field);
+
+    CHECK(taut_control_set_memory_limit(control, 1) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_new(exact, &from_zero, &options, control, &field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_interruption(field, &detail) == TAUT_STATUS_LIMIT_REACHED);
+    CHECK(detail.status == TAUT_STATUS_LIMIT_REACHED && detail.reason == TAUT_REASON_MEMORY_LIMIT);
+    detail.struct_size = 0;
+    CHECK(taut_exact_field_interruption(field, &detail) == TAUT_STATUS_INVALID_ARGUMENT);
+    CHECK(last_is(TAUT_REASON_BAD_ARGUMENT, 0, 0));
+    taut_exact_field_free(field);
+    taut_control_free(control);
+    taut_exact_free(exact);
+}
+
 const test tests[] = {
     TEST(exact_distances),
     TEST(strided_output),
@@ -286,5 +337,7 @@ const test tests[] = {
     TEST(points_of_a_field),
     TEST(paths),
     TEST(all_paths),
+    TEST(where_paths_end),
+    TEST(what_interrupted_a_field),
     {0},
 };

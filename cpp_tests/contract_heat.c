@@ -95,12 +95,12 @@ static void heat_fields(void) {
     taut_heat_field_free(field);
 
     const taut_output to_rows = {.data = rows, .count = 2, .stride = sizeof rows[0]};
-    CHECK(taut_heat_distance_rows(heat, &from, 2, NULL, to_rows) == TAUT_STATUS_OK);
+    CHECK(taut_heat_distance_rows(heat, &from, each, 2, NULL, to_rows) == TAUT_STATUS_OK);
     for (size_t i = 0; i < 2; i++) {
         const taut_sources one = {.struct_size = sizeof one, .vertices = {.data = ends + i, .count = 1}};
         CHECK(heat_distances(heat, &one, d) == TAUT_STATUS_OK && memcmp(d, rows[i], sizeof d) == 0);
     }
-    CHECK_FAILS(taut_heat_distance_rows(heat, &from, 2, NULL, (taut_output){.data = rows, .count = 1}),
+    CHECK_FAILS(taut_heat_distance_rows(heat, &from, each, 2, NULL, (taut_output){.data = rows, .count = 1}),
                 TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
 
     taut_heat_report report = {.struct_size = sizeof report};
@@ -128,9 +128,42 @@ static void heat_fields(void) {
     taut_mesh_free(mesh);
 }
 
+static void residuals(void) {
+    taut_mesh *mesh = rectangle();
+    taut_heat *heat = NULL;
+    taut_control *control = NULL;
+    struct {
+        taut_heat_residuals known;
+        uint64_t newer;
+    } out;
+    memset(&out, 0xff, sizeof out);
+    CHECK(taut_heat_new(mesh, NULL, NULL, &heat) == TAUT_STATUS_OK);
+    out.known.struct_size = offsetof(taut_heat_residuals, poisson); /* older */
+    CHECK(taut_heat_residuals_of(heat, &from_zero, NULL, &out.known) == TAUT_STATUS_OK);
+    CHECK(out.known.heat >= 0 && out.known.heat < 1e-12 && isnan(out.known.poisson));
+    out.known.struct_size = sizeof out; /* newer */
+    CHECK(taut_heat_residuals_of(heat, &from_zero, NULL, &out.known) == TAUT_STATUS_OK);
+    CHECK(out.known.poisson >= 0 && out.known.poisson < 1e-12 && out.newer == 0);
+
+    out.known.heat = -1;
+    const taut_sources none = {.struct_size = sizeof none};
+    CHECK_FAILS(taut_heat_residuals_of(NULL, &from_zero, NULL, &out.known), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_residuals_of(heat, NULL, NULL, &out.known), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_residuals_of(heat, &from_zero, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_residuals_of(heat, &none, NULL, &out.known), TAUT_REASON_NO_SOURCE, 0, 0);
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    taut_control_cancel(control);
+    CHECK_FAILS(taut_heat_residuals_of(heat, &from_zero, control, &out.known), TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(out.known.heat == -1);
+    taut_control_free(control);
+    taut_heat_free(heat);
+    taut_mesh_free(mesh);
+}
+
 const test tests[] = {
     TEST(heat_options),
     TEST(time_steps),
     TEST(heat_fields),
+    TEST(residuals),
     {0},
 };

@@ -141,6 +141,29 @@ static void polygons(void) {
     taut_mesh_free(mesh);
 }
 
+static void meshes_from_memory(void) {
+    static const char off[] = "OFF\n3 1 0\n0 0 0\n3 0 0\n0 4 0\n3 0 1 2\n", obj[] = "v 0 0 0\nv 3 0 0\nv 0 4 0\nf 1 2 3\n";
+    taut_mesh *mesh = NULL;
+    CHECK(taut_mesh_read_bytes(off, sizeof off - 1, TAUT_FORMAT_OFF, &mesh) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_vertex_count(mesh) == 3 && taut_mesh_triangle_count(mesh) == 1);
+    taut_mesh_free(mesh);
+    CHECK(taut_mesh_read_bytes(obj, sizeof obj - 1, TAUT_FORMAT_OBJ, &mesh) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_vertex_count(mesh) == 3 && taut_mesh_triangle_count(mesh) == 1);
+    taut_mesh_free(mesh);
+
+    mesh = (taut_mesh *)&failures; /* must be overwritten */
+    CHECK_FAILS(taut_mesh_read_bytes(off, sizeof off - 9, TAUT_FORMAT_OFF, &mesh), TAUT_REASON_TRUNCATED,
+                TAUT_ELEMENT_FACE, 0);
+    CHECK(mesh == NULL);
+    for (taut_format format = TAUT_FORMAT_GLB; format <= TAUT_FORMAT_STL; format++)
+        CHECK(taut_mesh_read_bytes(NULL, 0, format, &mesh) == TAUT_STATUS_FORMAT && mesh == NULL);
+    CHECK_FAILS(taut_mesh_read_bytes(off, sizeof off, 0, &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_mesh_read_bytes(off, sizeof off, TAUT_FORMAT_STL + 1, &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_mesh_read_bytes(NULL, 1, TAUT_FORMAT_OFF, &mesh), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_mesh_read_bytes(off, SIZE_MAX, TAUT_FORMAT_OFF, &mesh), TAUT_REASON_TOO_MANY_ELEMENTS, 0, 0);
+    CHECK_FAILS(taut_mesh_read_bytes(off, sizeof off, TAUT_FORMAT_OFF, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+}
+
 static void indices_that_do_not_fit(void) {
     enum { COUNT = 70000 };
     double *many = calloc(3 * COUNT, sizeof *many);
@@ -157,6 +180,32 @@ static void indices_that_do_not_fit(void) {
     CHECK(wide[0] == 0 && wide[1] == 1 && wide[2] == COUNT - 1);
     taut_mesh_free(mesh);
     free(many);
+}
+
+static void positions_of_points(void) {
+    taut_mesh *mesh = rectangle();
+    const uint32_t beyond[] = {1, 2};
+    const int32_t negative[] = {1, -1};
+    double at[6] = {-1, -1, -1, -1, -1, -1};
+    float strided[8] = {0, 0, 0, 7, 0, 0, 0, 7};
+    const taut_output to_strided = {.data = strided, .count = 2, .stride = 16, .type = TAUT_TYPE_F32};
+    CHECK_FAILS(taut_mesh_point_positions(NULL, each, each, (taut_output){0}), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_mesh_point_positions(mesh, indices(beyond, 2), scalars(two_weights, 2), room(at, 2)),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_FACE, 2);
+    CHECK_FAILS(taut_mesh_point_positions(mesh, typed_input(negative, 2, TAUT_TYPE_I32), scalars(two_weights, 2),
+                                          room(at, 2)),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 1);
+    CHECK_FAILS(taut_mesh_point_positions(mesh, indices(two_faces, 1), scalars(two_weights, 2), room(at, 2)),
+                TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_mesh_point_positions(mesh, indices(two_faces, 2), scalars(two_weights, 2), room(at, 1)),
+                TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK(at[0] == -1 && at[3] == -1);
+    CHECK(taut_mesh_point_positions(mesh, indices(two_faces, 2), scalars(two_weights, 2), room(at, 2)) == TAUT_STATUS_OK);
+    CHECK(is_at(at, 3, 4) && is_at(at + 3, 2.25, 3));
+    CHECK(taut_mesh_point_positions(mesh, indices(two_faces, 2), scalars(two_weights, 2), to_strided) == TAUT_STATUS_OK);
+    CHECK(strided[0] == 3 && strided[3] == 7 && strided[4] == 2.25f && strided[7] == 7);
+    CHECK(taut_mesh_point_positions(mesh, each, each, (taut_output){0}) == TAUT_STATUS_OK);
+    taut_mesh_free(mesh);
 }
 
 /* Two triangles that touch in vertex 2, one of them twice; a repeated index; a copy of vertex 0; a loose vertex. */
@@ -245,7 +294,9 @@ const test tests[] = {
     TEST(every_packing_in),
     TEST(rows_that_overlap),
     TEST(polygons),
+    TEST(meshes_from_memory),
     TEST(indices_that_do_not_fit),
+    TEST(positions_of_points),
     TEST(reports),
     TEST(properties),
     {0},

@@ -42,7 +42,7 @@ static void refuses(call *it, taut_reason why, const char *mention) {
 static void answers(call *it) {
     make(it);
     CHECK(it->status == TAUT_STATUS_OK || is_untouched(it));
-    memset(it->outputs, UNTOUCHED, sizeof it->outputs);
+    clear(it);
 }
 
 /* What a call that succeeds gives. */
@@ -229,6 +229,10 @@ static void of_a_wrong_type(call *it, const input *in) {
         in->view->type = *type;
         refuses(it, TAUT_REASON_BAD_ARGUMENT, mention);
     }
+    in->view->type = 0;
+    in->view->reserved = 1;
+    sprintf(mention, "%s.reserved`", in->rows.name);
+    refuses(it, TAUT_REASON_BAD_ARGUMENT, mention);
 }
 
 ROW(inputs_of_a_wrong_type) { for_each_input(it, of_a_wrong_type); }
@@ -275,6 +279,10 @@ static void that_make_no_sense(call *it, const shape *rows, taut_output *out) {
         out->type = *type;
         refuses(it, TAUT_REASON_BAD_ARGUMENT, mention);
     }
+    *out = before;
+    out->reserved = 1;
+    sprintf(mention, "%s.reserved`", rows->name);
+    refuses(it, TAUT_REASON_BAD_ARGUMENT, mention);
     *out = before;
     for (out->stride = 1; out->stride < row_bytes(rows); out->stride++) refuses(it, TAUT_REASON_BAD_ARGUMENT, "overlap");
 
@@ -323,7 +331,7 @@ static void over_an_input(call *it, const input *in) {
     give(&expected, it->function);
     for (size_t i = 0; i < OUTPUTS && it->function->outputs[i].name; i++) {
         const taut_input before = *in->view;
-        memset(it->outputs, UNTOUCHED, sizeof it->outputs);
+        clear(it);
         memcpy(it->outputs[i], before.data, before.count * row_bytes(&in->rows));
         in->view->data = it->outputs[i];
         make(it);
@@ -354,11 +362,11 @@ static void of_any_version(call *it, const void **place, size_t size) {
     }
     for (size_t stated = size; stated <= size + 16; stated++) {
         memcpy(bytes, &stated, sizeof stated);
-        memset(it->outputs, UNTOUCHED, sizeof it->outputs);
+        clear(it);
         make(it);
         CHECK(same(it, &expected));
         if (stated == size) continue;
-        memset(it->outputs, UNTOUCHED, sizeof it->outputs);
+        clear(it);
         bytes[stated - 1] = 1;
         refuses(it, TAUT_REASON_BAD_ARGUMENT, "does not know");
         bytes[stated - 1] = 0;

@@ -113,8 +113,8 @@ static taut_status exact_field(day *it) {
 }
 
 static taut_status both_rows(day *it) {
-    taut_status status = taut_heat_distance_rows(heat, &from, 2, NULL, whole_rows(it->heat_rows));
-    if (!status) status = taut_exact_distance_rows(exact, &from, 3, NULL, whole_rows(it->exact_rows));
+    taut_status status = taut_heat_distance_rows(heat, &from, each, 2, NULL, whole_rows(it->heat_rows));
+    if (!status) status = taut_exact_distance_rows(exact, &from, each, 3, NULL, whole_rows(it->exact_rows));
     return status;
 }
 
@@ -123,7 +123,7 @@ static taut_status clicks(day *it) {
     for (size_t i = 0; i < CLICKS; i++) {
         for (size_t axis = 0; axis < 3; axis++) points[i][axis] = SIDE / 2.0 * (1 + sin((double)(3 * i + axis)));
     }
-    return taut_closest_points(closest, scalars(points[0], CLICKS), (taut_output){.data = it->faces, .count = CLICKS},
+    return taut_closest_points(closest, scalars(points[0], CLICKS), NULL, (taut_output){.data = it->faces, .count = CLICKS},
                                room(it->weights[0], CLICKS), room(it->off, CLICKS));
 }
 
@@ -140,7 +140,7 @@ static taut_status curves(day *it) {
     const taut_input distances = scalars(it->exact_rows[0], V);
     taut_status status = taut_exact_field_paths(kept, NULL, NULL, &paths);
     if (!status) status = taut_isolines_new(mesh, distances, scalars(levels, 3), &lines);
-    if (!status) status = taut_descent_paths_new(mesh, distances, &from_zero, NULL, &descent);
+    if (!status) status = taut_descent_paths_new(mesh, distances, &from_zero, NULL, NULL, &descent);
     if (!status) status = positions_of(paths, it->paths);
     if (!status) status = positions_of(lines, it->lines);
     if (!status) status = positions_of(descent, it->descent);

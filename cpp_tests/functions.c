@@ -14,6 +14,7 @@ CALL(mesh_with_positions, given->self.mesh, given->inputs[0], MADE(mesh))
 CALL(mesh_positions, given->self.mesh, given->outputs[0])
 CALL(mesh_triangles, given->self.mesh, given->outputs[0])
 CALL(mesh_ignored_triangles, given->self.mesh, given->outputs[0])
+CALL(mesh_point_positions, given->self.mesh, given->inputs[0], given->inputs[1], given->outputs[0])
 CALL(mesh_properties, given->self.mesh, given->records[0])
 CALL(report_new, given->self.mesh, MADE(report))
 CALL(report_list, given->self.report, TAUT_FINDING_UNREFERENCED_VERTICES, given->outputs[0])
@@ -33,37 +34,51 @@ CALL(heat_report_of, given->self.heat, given->records[0])
 CALL(heat_field_new, given->self.heat, given->sources, given->control, MADE(heat_field))
 CALL(heat_field_distances, given->self.heat_field, given->outputs[0])
 CALL(heat_field_nearest_sources, given->self.heat_field, given->outputs[0])
-CALL(heat_distance_rows, given->self.heat, given->sources, 2, given->control, given->outputs[0])
+CALL(heat_residuals_of, given->self.heat, given->sources, given->control, given->records[0])
+CALL(heat_distance_rows, given->self.heat, given->sources, given->inputs[0], 2, given->control, given->outputs[0])
 CALL(exact_new, given->self.mesh, MADE(exact))
 CALL(exact_field_new, given->self.exact, given->sources, given->exact_options, given->control, MADE(exact_field))
 CALL(exact_field_distances, given->self.exact_field, given->targets, given->outputs[0])
 CALL(exact_field_nearest_sources, given->self.exact_field, given->targets, given->outputs[0])
 CALL(exact_field_paths, given->self.exact_field, given->targets, given->control, MADE(curves))
-CALL(exact_distance_rows, given->self.exact, given->sources, 2, given->control, given->outputs[0])
+CALL(exact_curve_through, given->self.exact, given->inputs[0], given->inputs[1], given->control, MADE(curves))
+CALL(exact_distance_rows, given->self.exact, given->sources, given->inputs[0], 2, given->control, given->outputs[0])
 CALL(exact_distances_within, given->self.exact, given->sources, 4, 2, given->control, MADE(sparse))
 CALL(exact_farthest_points, given->self.exact, given->sources, 3, given->control, given->outputs[0], given->outputs[1])
 CALL(sparse_distances_offsets, given->self.sparse, given->outputs[0])
 CALL(sparse_distances_vertices, given->self.sparse, given->outputs[0])
 CALL(sparse_distances_values, given->self.sparse, given->outputs[0])
+CALL(even_levels, given->self.mesh, given->inputs[0], 2, given->outputs[0], given->records[0])
+CALL(spaced_levels, given->self.mesh, given->inputs[0], 1, given->outputs[0], given->records[0])
 CALL(isolines_new, given->self.mesh, given->inputs[0], given->inputs[1], MADE(curves))
-CALL(descent_paths_new, given->self.mesh, given->inputs[0], given->sources, given->targets, MADE(curves))
+CALL(descent_paths_new, given->self.mesh, given->inputs[0], given->sources, given->targets, given->control, MADE(curves))
 CALL(curves_offsets, given->self.curves, given->outputs[0])
 CALL(curves_positions, given->self.curves, given->outputs[0])
 CALL(curves_faces, given->self.curves, given->outputs[0])
 CALL(curves_barycentrics, given->self.curves, given->outputs[0])
 CALL(curves_closed, given->self.curves, given->outputs[0])
 CALL(curves_levels, given->self.curves, given->outputs[0])
+CALL(curves_sources, given->self.curves, given->outputs[0])
 CALL(closest_new, given->self.mesh, MADE(closest))
-CALL(closest_points, given->self.closest, given->inputs[0], given->outputs[0], given->outputs[1], given->outputs[2])
+CALL(closest_points, given->self.closest, given->inputs[0], given->control, given->outputs[0], given->outputs[1],
+     given->outputs[2])
 
 static taut_status call_mesh_read(const arguments *given) { return taut_mesh_read(TAUT_RECTANGLE, MADE(mesh)); }
 
-static const uint32_t quad_offsets[] = {0, 4}, quad_corners[] = {0, 1, 2, 3};
+static taut_status call_mesh_read_bytes(const arguments *given) {
+    static const char content[] = "OFF\n3 1 0\n0 0 0\n3 0 0\n0 4 0\n3 0 1 2\n";
+    return taut_mesh_read_bytes(content, sizeof content - 1, TAUT_FORMAT_OFF, MADE(mesh));
+}
+
+static const uint32_t quad_offsets[] = {0, 4}, quad_corners[] = {0, 1, 2, 3}, three_sets[] = {0, 1, 2, 3};
 static const double levels[] = {1.5, 0.75}, clicks[] = {0.75, 1, 9, 5, 3, 0};
 
 #define NAMED(name) "taut_" #name, call_##name
 #define POSITIONS {"positions", REAL, 3, 5, xyz}
 #define VALUES {"values", REAL, 1, 5, along_x}
+#define SETS {"set_offsets", INDEX, 1, 4, three_sets}
+#define TWO_POINTS {{"faces", INDEX, 1, 2, two_faces}, {"barycentrics", REAL, 3, 2, two_weights}}
+#define LEVELS {{"levels", REAL, 1, 2, NULL}}
 #define OUT(element, width, count) {{"out", element, width, count, NULL}}
 
 const function functions[] = {
@@ -72,9 +87,11 @@ const function functions[] = {
      .inputs = {POSITIONS, {"offsets", INDEX, 1, 2, quad_offsets}, {"corners", INDEX, 1, 4, quad_corners}}},
     {NAMED(mesh_with_positions), .self = MESH, .makes = MESH, .inputs = {POSITIONS}},
     {NAMED(mesh_read), .makes = MESH},
+    {NAMED(mesh_read_bytes), .makes = MESH},
     {NAMED(mesh_positions), .self = MESH, .outputs = OUT(REAL, 3, 5)},
     {NAMED(mesh_triangles), .self = MESH, .outputs = OUT(INDEX, 3, 3)},
     {NAMED(mesh_ignored_triangles), .self = MESH, .outputs = OUT(INDEX, 1, 1)},
+    {NAMED(mesh_point_positions), .self = MESH, .inputs = TWO_POINTS, .outputs = OUT(REAL, 3, 2)},
     {NAMED(mesh_properties), .self = MESH, .records = {sizeof(taut_properties)}, .record_has_a_size = true},
     {NAMED(report_new), .self = MESH, .makes = REPORT},
     {NAMED(report_list), .self = REPORT, .outputs = OUT(INDEX, 1, 1)},
@@ -94,29 +111,35 @@ const function functions[] = {
     {NAMED(heat_field_new), .self = HEAT, .makes = HEAT_FIELD, .takes = TAKES_CONTROL | SOURCES},
     {NAMED(heat_field_distances), .self = HEAT_FIELD, .outputs = OUT(REAL, 1, 5)},
     {NAMED(heat_field_nearest_sources), .self = HEAT_FIELD, .outputs = OUT(INDEX, 1, 5)},
-    {NAMED(heat_distance_rows), .self = HEAT, .takes = TAKES_CONTROL | SOURCES, .outputs = OUT(REAL, 5, 3)},
+    {NAMED(heat_residuals_of), .self = HEAT, .takes = TAKES_CONTROL | SOURCES, .records = {sizeof(taut_heat_residuals)},
+     .record_has_a_size = true},
+    {NAMED(heat_distance_rows), .self = HEAT, .takes = TAKES_CONTROL | SOURCES, .inputs = {SETS}, .outputs = OUT(REAL, 5, 3)},
     {NAMED(exact_new), .self = MESH, .makes = EXACT},
     {NAMED(exact_field_new), .self = EXACT, .makes = EXACT_FIELD, .takes = TAKES_CONTROL | SOURCES | EXACT_OPTIONS},
     {NAMED(exact_field_distances), .self = EXACT_FIELD, .takes = TARGETS, .outputs = OUT(REAL, 1, 2)},
     {NAMED(exact_field_nearest_sources), .self = EXACT_FIELD, .takes = TARGETS, .outputs = OUT(INDEX, 1, 2)},
     {NAMED(exact_field_paths), .self = EXACT_FIELD, .makes = CURVES, .takes = TAKES_CONTROL | TARGETS},
-    {NAMED(exact_distance_rows), .self = EXACT, .takes = TAKES_CONTROL | SOURCES, .outputs = OUT(REAL, 5, 3)},
+    {NAMED(exact_curve_through), .self = EXACT, .makes = CURVES, .takes = TAKES_CONTROL, .inputs = TWO_POINTS},
+    {NAMED(exact_distance_rows), .self = EXACT, .takes = TAKES_CONTROL | SOURCES, .inputs = {SETS}, .outputs = OUT(REAL, 5, 3)},
     {NAMED(exact_distances_within), .self = EXACT, .makes = SPARSE, .takes = TAKES_CONTROL | SOURCES},
     {NAMED(exact_farthest_points), .self = EXACT, .takes = TAKES_CONTROL | SOURCES,
      .outputs = {{"vertices", INDEX, 1, 3, NULL}, {"distances", REAL, 1, 3, NULL}}},
     {NAMED(sparse_distances_offsets), .self = SPARSE, .outputs = OUT(INDEX, 1, 4)},
     {NAMED(sparse_distances_vertices), .self = SPARSE, .outputs = OUT(INDEX, 1, 8)},
     {NAMED(sparse_distances_values), .self = SPARSE, .outputs = OUT(REAL, 1, 8)},
+    {NAMED(even_levels), .self = MESH, .inputs = {VALUES}, .outputs = LEVELS, .records = {sizeof(size_t)}},
+    {NAMED(spaced_levels), .self = MESH, .inputs = {VALUES}, .outputs = LEVELS, .records = {sizeof(size_t)}},
     {NAMED(isolines_new), .self = MESH, .makes = CURVES, .inputs = {VALUES, {"levels", REAL, 1, 2, levels}}},
-    {NAMED(descent_paths_new), .self = MESH, .makes = CURVES, .takes = SOURCES_OR_NULL | TARGETS, .inputs = {VALUES}},
+    {NAMED(descent_paths_new), .self = MESH, .makes = CURVES, .takes = TAKES_CONTROL | SOURCES_OR_NULL | TARGETS, .inputs = {VALUES}},
     {NAMED(curves_offsets), .self = CURVES, .outputs = OUT(INDEX, 1, 3)},
     {NAMED(curves_positions), .self = CURVES, .outputs = OUT(REAL, 3, 6)},
     {NAMED(curves_faces), .self = CURVES, .outputs = OUT(INDEX, 1, 6)},
     {NAMED(curves_barycentrics), .self = CURVES, .outputs = OUT(REAL, 3, 6)},
     {NAMED(curves_closed), .self = CURVES, .outputs = OUT(INDEX, 1, 2)},
     {NAMED(curves_levels), .self = CURVES, .outputs = OUT(INDEX, 1, 2)},
+    {NAMED(curves_sources), .self = CURVES, .outputs = OUT(INDEX, 1, 2)},
     {NAMED(closest_new), .self = MESH, .makes = CLOSEST},
-    {NAMED(closest_points), .self = CLOSEST, .inputs = {{"points", REAL, 3, 2, clicks}},
+    {NAMED(closest_points), .self = CLOSEST, .takes = TAKES_CONTROL, .inputs = {{"points", REAL, 3, 2, clicks}},
      .outputs = {{"faces", INDEX, 1, 2, NULL}, {"barycentrics", REAL, 3, 2, NULL}, {"distances", REAL, 1, 2, NULL}}},
 };
 const size_t function_count = sizeof functions / sizeof *functions;
@@ -134,13 +157,15 @@ TELL(heat_time_step, heat)
 TELL(heat_field_restarts, heat_field)
 TELL(heat_field_nonpositive_heat, heat_field)
 TELL(exact_field_final_radius, exact_field)
-TELL(exact_field_interruption, exact_field)
+TELL(exact_field_windows, exact_field)
 TELL(sparse_distances_row_count, sparse)
 TELL(sparse_distances_count, sparse)
 
 static double tell_report_count(handle self) {
     return (double)taut_report_count(self.report, TAUT_FINDING_UNREFERENCED_VERTICES);
 }
+
+static double tell_exact_field_interruption(handle self) { return taut_exact_field_interruption(self.exact_field, NULL); }
 
 static double tell_control_cancel(handle self) { return taut_control_cancel(self.control), 0; }
 
@@ -159,6 +184,7 @@ const getter getters[] = {
     {TOLD(heat_field_restarts), HEAT_FIELD, tell_heat_field_restarts, 0},
     {TOLD(heat_field_nonpositive_heat), HEAT_FIELD, tell_heat_field_nonpositive_heat, 0},
     {TOLD(exact_field_final_radius), EXACT_FIELD, tell_exact_field_final_radius, 0},
+    {TOLD(exact_field_windows), EXACT_FIELD, tell_exact_field_windows, 0},
     {TOLD(exact_field_interruption), EXACT_FIELD, tell_exact_field_interruption, TAUT_STATUS_INVALID_ARGUMENT},
     {TOLD(sparse_distances_row_count), SPARSE, tell_sparse_distances_row_count, 0},
     {TOLD(sparse_distances_count), SPARSE, tell_sparse_distances_count, 0},
@@ -239,7 +265,7 @@ void contents_of(kind kind, handle it, double contents[MOST_CONTENTS]) {
     switch (kind) {
     case MESH: CHECK(taut_mesh_positions(it.mesh, rows) == TAUT_STATUS_OK); break;
     case CLOSEST:
-        CHECK(taut_closest_points(it.closest, scalars(clicks, 2), typed(contents + 2, 2, TAUT_TYPE_U64), room(contents + 4, 2),
+        CHECK(taut_closest_points(it.closest, scalars(clicks, 2), NULL, typed(contents + 2, 2, TAUT_TYPE_U64), room(contents + 4, 2),
                                   room(contents, 2)) == TAUT_STATUS_OK);
         break;
     case CURVES: CHECK(taut_curves_positions(it.curves, rows) == TAUT_STATUS_OK); break;
@@ -264,11 +290,16 @@ void contents_of(kind kind, handle it, double contents[MOST_CONTENTS]) {
 
 size_t row_bytes(const shape *rows) { return rows->width * (rows->element == REAL ? sizeof(double) : sizeof(uint32_t)); }
 
-void prepare(call *it, const function *function) {
-    memset(it, 0, sizeof *it);
+void clear(call *it) {
     memset(it->outputs, UNTOUCHED, sizeof it->outputs);
     memset(it->records, UNTOUCHED, sizeof it->records);
+    if (it->function->record_has_a_size) memcpy(it->records[0], &it->function->records[0], sizeof(size_t));
+}
+
+void prepare(call *it, const function *function) {
+    memset(it, 0, sizeof *it);
     it->function = function;
+    clear(it);
     it->sources = every_source;
     it->targets = every_target;
     it->heat_options = (taut_heat_options){.struct_size = sizeof it->heat_options, .boundary = 0.5};
@@ -292,7 +323,6 @@ void prepare(call *it, const function *function) {
     for (size_t i = 0; i < 2; i++) {
         if (function->records[i]) given->records[i] = it->records[i];
     }
-    if (function->record_has_a_size) memcpy(it->records[0], &function->records[0], sizeof(size_t));
     if (function->makes) given->made = &it->made;
 }
 

@@ -122,6 +122,9 @@ typedef struct {
 /* A call of `function` that will succeed, with outputs as large as needed. */
 void prepare(call *it, const function *function);
 
+/* Nothing is written yet. */
+void clear(call *it);
+
 /* Makes the call, and frees what it makes. */
 void make(call *it);
 

@@ -2,7 +2,7 @@
 
 use super::guard::{free, guard, guard_new, guard_value, null, required};
 use super::mesh::taut_mesh;
-use super::types::{SizedStruct, bad_enum, taut_output, write_required};
+use super::types::{SizedStruct, bad_enum, taut_output, write_sized};
 use crate::{Angle, Error, MeshReport, Properties, Reason, Result, Status};
 
 /// The diagnosis of a mesh.
@@ -226,7 +226,7 @@ pub unsafe extern "C" fn taut_report_component(
             genus: part.genus().unwrap_or(0),
         };
         // SAFETY: the header asks for a struct of at least the size that it states.
-        unsafe { write_required(out, &description) }
+        unsafe { write_sized(out, Some(&description), "out") }
     })
 }
 
@@ -291,7 +291,7 @@ pub unsafe extern "C" fn taut_mesh_properties(mesh: Option<&taut_mesh>, out: *mu
         let no_edge = || Error::new(Reason::BadArgument, "`mesh` has no edge, so no properties");
         let properties = Properties::of(&required(mesh, "mesh")?.0).ok_or_else(no_edge)?;
         // SAFETY: the header asks for a struct of at least the size that it states.
-        unsafe { write_required(out, &taut_properties::from(properties)) }
+        unsafe { write_sized(out, Some(&taut_properties::from(properties)), "out") }
     })
 }
 
