@@ -71,8 +71,11 @@ extern const double two_weights[6];
 #define VERTICES(v) (&(const taut_targets){.struct_size = sizeof(taut_targets), .vertices = (v)})
 #define POINTS(f, b) (&(const taut_targets){.struct_size = sizeof(taut_targets), .faces = (f), .barycentrics = (b)})
 
-/* Hills of `squares` by `squares`; of SQUARES, the exact method works for a while. */
-enum { SQUARES = 300, HILL_VERTICES = (SQUARES + 1) * (SQUARES + 1) };
+/* Hills of `squares` by `squares`; of SQUARES, the exact method works for a while, which in valgrind takes fewer. */
+#ifndef TAUT_SQUARES
+#define TAUT_SQUARES 300
+#endif
+enum { SQUARES = TAUT_SQUARES, HILL_VERTICES = (SQUARES + 1) * (SQUARES + 1) };
 taut_mesh *hills(uint32_t squares);
 
 /* What a callback has seen. */

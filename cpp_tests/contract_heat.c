@@ -120,6 +120,7 @@ static void heat_fields(void) {
     CHECK(taut_heat_with_mesh(heat, moved, NULL, &again) == TAUT_STATUS_OK);
     CHECK(heat_distances(heat, &from, d) == TAUT_STATUS_OK && heat_distances(again, &from, rows[0]) == TAUT_STATUS_OK);
     for (size_t v = 0; v < 4; v++) CHECK(rows[0][v] == 2 * d[v]);
+    taut_heat_free(again);
     CHECK_FAILS(taut_heat_with_mesh(heat, NULL, NULL, &again), TAUT_REASON_NULL_POINTER, 0, 0);
     xyz[1][1] = NAN;
     CHECK_FAILS(taut_mesh_with_positions(mesh, twice, &broken), TAUT_REASON_NON_FINITE_COORDINATE, TAUT_ELEMENT_VERTEX, 1);
