@@ -109,6 +109,35 @@ static void callbacks(const taut_exact *exact) {
     taut_control_free(it.control);
 }
 
+/* A callback that uses its control: for another call, in which it is not called, and to take itself away. */
+typedef struct {
+    taut_exact *exact;
+    taut_control *control;
+    int calls, depth;
+} user;
+
+static int use(double progress, void *data) {
+    user *it = data;
+    taut_exact_field *field = NULL;
+    CHECK(it->depth++ == 0 && progress == taut_control_progress(it->control));
+    CHECK(taut_exact_field_new(it->exact, &from_zero, NULL, it->control, &field) == TAUT_STATUS_OK);
+    taut_exact_field_free(field);
+    it->depth--;
+    if (++it->calls == 3) CHECK(taut_control_set_callback(it->control, NULL, NULL) == TAUT_STATUS_OK);
+    return 0;
+}
+
+static void callbacks_that_use_their_control(const taut_exact *exact) {
+    job it = new_job(exact, 0);
+    user seen = {.exact = exact_rectangle(), .control = it.control};
+    CHECK(taut_control_set_callback(it.control, use, &seen) == TAUT_STATUS_OK);
+    work(&it);
+    CHECK(it.status == TAUT_STATUS_OK && seen.calls == 3 && !taut_control_is_cancelled(it.control));
+    taut_exact_field_free(it.field);
+    taut_control_free(it.control);
+    taut_exact_free(seen.exact);
+}
+
 static void cancelled_from_another_thread(const taut_exact *exact) {
     for (uint32_t allow_partial = 0; allow_partial <= 1; allow_partial++) {
         job it = new_job(exact, allow_partial);
@@ -174,6 +203,7 @@ static void long_calls(void) {
     taut_exact *exact = NULL;
     CHECK(taut_exact_new(mesh, &exact) == TAUT_STATUS_OK);
     callbacks(exact);
+    callbacks_that_use_their_control(exact);
     cancelled_from_another_thread(exact);
     limits(exact);
     heat_is_interrupted(mesh);

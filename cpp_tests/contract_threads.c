@@ -2,6 +2,9 @@
 #define _POSIX_C_SOURCE 200112L
 #include "functions.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 enum { THREADS = 8 };
 
 /* Runs `work` on all threads, with their numbers, and waits for them; true if it was true on all. */
@@ -238,10 +241,29 @@ static void one_control(void) {
     free_handles();
 }
 
+/* No thread of the library outlives a call, so a child process has all that it needs. */
+static void after_a_fork(void) {
+    make_handles();
+    double rows[3][5], again[3][5];
+    const taut_output out = {.data = rows, .count = 3, .stride = sizeof rows[0]};
+    const taut_output out_again = {.data = again, .count = 3, .stride = sizeof again[0]};
+    CHECK(taut_exact_distance_rows(handles[EXACT].exact, &every_source, each, 3, NULL, out) == TAUT_STATUS_OK);
+    const pid_t child = fork();
+    if (child == 0) {
+        taut_exact_distance_rows(handles[EXACT].exact, &every_source, each, 3, NULL, out_again);
+        _exit(memcmp(rows, again, sizeof rows) == 0 ? 0 : 1);
+    }
+    int status = -1;
+    CHECK(child > 0 && waitpid(child, &status, 0) == child);
+    CHECK(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    free_handles();
+}
+
 const test tests[] = {
     TEST(every_function),
     TEST(one_solver),
     TEST(last_errors),
     TEST(one_control),
+    TEST(after_a_fork),
     {0},
 };
