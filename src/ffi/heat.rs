@@ -313,8 +313,8 @@ pub extern "C" fn taut_heat_free(heat: Option<Box<taut_heat>>) {
 /// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: receives the field, to be freed with `taut_heat_field_free`; NULL on failure.
 ///
-/// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and
-/// TAUT_REASON_SOURCE_ON_BOUNDARY (only with `boundary` 1) name the source; TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: a few sparse
+/// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and, with `boundary` 1,
+/// TAUT_REASON_SOURCE_ON_BOUNDARY name the source; TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: a few sparse
 /// triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` also a short one for each vertex of a source or, for more
 /// than 256 in one component, a factorisation. Threads: any, also on one `heat` at once. The control is consulted between
 /// the steps, not inside a solve.
