@@ -240,6 +240,9 @@ fn paths_are_cancelled_between_two() {
     assert!(full.paths(&[], &Control::new()).unwrap().is_empty());
 }
 
+/// A call that may fail.
+type Attempt<'a> = &'a dyn Fn(&Control) -> Option<Error>;
+
 #[test]
 fn curves_closest_points_and_descent_are_cancelled_on_their_way() {
     let case = &cases()[0];
@@ -248,7 +251,7 @@ fn curves_closest_points_and_descent_are_cancelled_on_their_way() {
     let positions = case.mesh.positions().repeat(1 + 640 / case.mesh.vertex_count());
     let heights: Vec<f64> = case.mesh.positions().iter().map(|position| position[2]).collect();
     let targets: Vec<Target> = places.iter().copied().map(Target::Point).collect();
-    let calls: [&dyn Fn(&Control) -> Option<Error>; 3] = [
+    let calls: [Attempt<'_>; 3] = [
         &|control| case.solver.curve_through(&places, control).err(),
         &|control| closest.points(&positions, control).err(),
         &|control| descent_paths(&case.mesh, &heights, &[], &targets, control).err(),
