@@ -183,8 +183,8 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_isolines_new(mesh, values, (taut_input){.count = 1}, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(strstr(taut_last_error(NULL), "levels") != NULL);
     CHECK_FAILS(taut_isolines_new(mesh, values, values, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_descent_paths_new(mesh, (taut_input){.count = 5}, NULL, NULL, NULL, &curves),
-                TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_descent_paths_new(mesh, (taut_input){.count = 5}, NULL, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0,
+                0);
     CHECK(strstr(taut_last_error(NULL), "values") != NULL);
     CHECK_FAILS(taut_descent_paths_new(mesh, values, NULL, NULL, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_closest_new(mesh, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -1119,8 +1119,8 @@ static void closest_points_fill_all_views_or_none(void) {
     CHECK_FAILS(taut_closest_points(closest, from, NULL, faces, weights, bad), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK(strstr(taut_last_error(NULL), "distances") != NULL);
     points[5] = NAN;
-    CHECK_FAILS(taut_closest_points(closest, from, NULL, faces, weights, far), TAUT_REASON_BAD_ARGUMENT,
-                TAUT_ELEMENT_POINT, 1);
+    CHECK_FAILS(taut_closest_points(closest, from, NULL, faces, weights, far), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT,
+                1);
     CHECK(f[0] == 77 && f[1] == 77 && d[0] == -1 && d[1] == -1);
     for (size_t i = 0; i < 6; i++) CHECK(w[i] == -1);
     taut_closest_free(closest);
@@ -1522,13 +1522,11 @@ static void paths_of_descent(void) {
     const taut_input distances = {.data = from_middle, .count = 5};
     const taut_sources source = {
         .struct_size = sizeof source, .faces = indices(&zero, 1), .barycentrics = scalars(middle, 1)};
-    CHECK(taut_descent_paths_new(mesh, distances, &source, VERTICES(indices(targets, 1)), NULL, &curves) ==
-          TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, distances, &source, VERTICES(indices(targets, 1)), NULL, &curves) == TAUT_STATUS_OK);
     CHECK(taut_curves_point_count(curves) == 3);
     it = drawn(curves);
     CHECK(is_at(it.positions, 3, 4) && is_at(it.positions + 6, 0.75, 1) && it.faces[2] == 0);
-    CHECK(taut_descent_paths_new(mesh, distances, NULL, VERTICES(indices(targets, 1)), NULL, &curves) ==
-          TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, distances, NULL, VERTICES(indices(targets, 1)), NULL, &curves) == TAUT_STATUS_OK);
     it = drawn(curves);
     CHECK(it.offsets[1] > 1 && is_at(it.positions + 3 * (it.offsets[1] - 1), 0, 0));
 
@@ -1582,8 +1580,7 @@ static void from_click_to_click(void) {
     const double clicks[] = {0.75, 1, 9, 2.25, 3, -9};
     uint32_t faces[2];
     double weights[6], off[2];
-    taut_status status = taut_closest_points(closest, scalars(clicks, 2), NULL,
-                                             (taut_output){.data = faces, .count = 2},
+    taut_status status = taut_closest_points(closest, scalars(clicks, 2), NULL, (taut_output){.data = faces, .count = 2},
                                              room(weights, 2), room(off, 2));
     const taut_sources click = {
         .struct_size = sizeof click, .faces = indices(faces, 1), .barycentrics = scalars(weights, 1)};
@@ -1664,8 +1661,8 @@ static void distance_rows_all_or_none(void) {
     taut_output out = room(d, 3);
     CHECK_FAILS(taut_exact_distance_rows(NULL, &from, each, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_exact_distance_rows(exact, NULL, each, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, (taut_output){.count = 3}),
-                TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, (taut_output){.count = 3}), TAUT_REASON_NULL_POINTER, 0,
+                0);
     CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, room(d, 2)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, (taut_output){0}), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     out.stride = 4 * sizeof *d; /* a row has five */
@@ -1676,8 +1673,8 @@ static void distance_rows_all_or_none(void) {
     /* More bytes than can be counted, or than there can be. */
     const size_t huge[] = {SIZE_MAX, SIZE_MAX / 8 / 5 + 1, PTRDIFF_MAX / 8 / 5 + 1};
     for (size_t i = 0; i < 3; i++) {
-        CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, room(d, huge[i])),
-                    TAUT_REASON_TOO_MANY_ELEMENTS, 0, 0);
+        CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, room(d, huge[i])), TAUT_REASON_TOO_MANY_ELEMENTS, 0,
+                    0);
     }
     out = room(d, 3);
     out.stride = SIZE_MAX;
@@ -2070,8 +2067,7 @@ static void rows_of_sets(void) {
     taut_sources second = from;
     second.vertices = indices(vertices + 1, 1);
     double rows[2 * 5], expected[2 * 5];
-    CHECK(field_of(exact, &first, expected) == TAUT_STATUS_OK);
-    CHECK(field_of(exact, &second, expected + 5) == TAUT_STATUS_OK);
+    CHECK(field_of(exact, &first, expected) == TAUT_STATUS_OK && field_of(exact, &second, expected + 5) == TAUT_STATUS_OK);
     CHECK(taut_exact_distance_rows(exact, &from, sets, 2, NULL, room(rows, 2)) == TAUT_STATUS_OK);
     CHECK(memcmp(rows, expected, sizeof rows) == 0);
     CHECK(heat_distances(heat, &first, expected) == TAUT_STATUS_OK);
@@ -2080,8 +2076,7 @@ static void rows_of_sets(void) {
     CHECK(memcmp(rows, expected, sizeof rows) == 0);
 
     const taut_sources none = {.struct_size = sizeof none};
-    const uint32_t only_end[] = {0}, from_one[] = {1, 3}, short_of[] = {0, 2}, back[] = {0, 2, 1, 3};
-    const uint32_t empty[] = {0, 0, 3};
+    const uint32_t only_end[] = {0}, from_one[] = {1, 3}, short_of[] = {0, 2}, back[] = {0, 2, 1, 3}, empty[] = {0, 0, 3};
     CHECK(taut_exact_distance_rows(exact, &none, indices(only_end, 1), 1, NULL, (taut_output){0}) == TAUT_STATUS_OK);
     memset(rows, 0xff, sizeof rows);
     memset(expected, 0xff, sizeof expected);
@@ -2095,8 +2090,7 @@ static void rows_of_sets(void) {
     }
     CHECK_FAILS(taut_exact_distance_rows(exact, &from, indices(empty, 3), 1, NULL, room(rows, 2)), TAUT_REASON_NO_SOURCE,
                 0, 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, sets, 1, NULL, room(rows, 1)), TAUT_REASON_BUFFER_TOO_SMALL, 0,
-                0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, sets, 1, NULL, room(rows, 1)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     const uint32_t beyond[] = {2, 5};
     second.vertices = indices(beyond, 2); /* the first of the second set */
     CHECK_FAILS(taut_heat_distance_rows(heat, &second, sets, 1, NULL, room(rows, 2)), TAUT_REASON_VERTEX_OUT_OF_RANGE,
@@ -2108,8 +2102,7 @@ static void rows_of_sets(void) {
 }
 
 static void meshes_from_memory(void) {
-    static const char off[] = "OFF\n3 1 0\n0 0 0\n3 0 0\n0 4 0\n3 0 1 2\n";
-    static const char obj[] = "v 0 0 0\nv 3 0 0\nv 0 4 0\nf 1 2 3\n";
+    static const char off[] = "OFF\n3 1 0\n0 0 0\n3 0 0\n0 4 0\n3 0 1 2\n", obj[] = "v 0 0 0\nv 3 0 0\nv 0 4 0\nf 1 2 3\n";
     taut_mesh *mesh = NULL;
     CHECK(taut_mesh_read_bytes(off, sizeof off - 1, TAUT_FORMAT_OFF, &mesh) == TAUT_STATUS_OK);
     CHECK(taut_mesh_vertex_count(mesh) == 3 && taut_mesh_triangle_count(mesh) == 1);

@@ -81,7 +81,9 @@
  * million triangles.
  *
  * Units. Coordinates, distances and start distances are in mesh units, a time step in mesh units squared, angles in
- * radians; progress is in [0, 1]. Indices count from 0. V, E and F are the numbers of vertices, edges and triangles.
+ * radians; progress is in [0, 1]. V, E and F are the numbers of vertices, edges and triangles. Indices count from 0; where
+ * there is none to tell, which descriptions call no index, all of its bits are set: -1 in a signed type, the largest value
+ * of an unsigned one.
  *
  * Versions. A struct that starts with struct_size grows at its end only: set it to sizeof it. Programs compiled
  * with an older or newer header keep working; setting a field that the running library does not know is an error.
@@ -382,8 +384,6 @@ typedef struct {
  * A buffer that a call fills, laid out like `taut_input`.
  *
  * A call fills all the rows it has or, on failure, none. Bytes between rows are left alone. The rows must not overlap.
- * Where there is no index to tell, all of its bits are set: -1 in a signed type, the largest value of an unsigned one.
- * Descriptions call that no index.
  */
 typedef struct {
     /** The first row; may be NULL if `count` is 0. */

@@ -44,8 +44,6 @@ pub struct taut_input {
 /// A buffer that a call fills, laid out like `taut_input`.
 ///
 /// A call fills all the rows it has or, on failure, none. Bytes between rows are left alone. The rows must not overlap.
-/// Where there is no index to tell, all of its bits are set: -1 in a signed type, the largest value of an unsigned one.
-/// Descriptions call that no index.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct taut_output {
