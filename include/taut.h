@@ -1,49 +1,57 @@
 /*
- * taut: geodesic distances on triangle meshes.
+ * taut: geodesic distances on triangle meshes. This header is the manual; its sections stand in the order of use.
  *
  * Two methods. Exact: the length of the shortest way over the flat triangles, right to rounding. Heat: an approximation
  * within a percent or two on good meshes; it is prepared once per mesh and then answers each set of sources fast.
  *
- *     taut_mesh *mesh = NULL;
- *     taut_exact *exact = NULL;
- *     taut_exact_field *field = NULL;
- *     taut_sources from = { .struct_size = sizeof from, .vertices = { .data = &vertex, .count = 1 } };
+ * A whole program, which tells how far it is across a square:
  *
- *     // const double xyz[3 * vertex_count]; const uint32_t corners[3 * triangle_count]; double d[vertex_count];
- *     taut_status status = taut_mesh_new((taut_input){ .data = xyz, .count = vertex_count },
- *                                        (taut_input){ .data = corners, .count = triangle_count }, &mesh);
- *     if (!status) status = taut_exact_new(mesh, &exact);
- *     if (!status) status = taut_exact_field_new(exact, &from, NULL, NULL, &field);
- *     taut_output out = { .data = d, .count = vertex_count };
- *     if (!status) status = taut_exact_field_distances(field, NULL, out); // NULL: of every vertex
- *     if (status) fprintf(stderr, "%s\n", taut_last_error(NULL));
+ *     #include <stdio.h>
+ *     #include <taut.h>
  *
- *     taut_exact_field_free(field);
- *     taut_exact_free(exact);
- *     taut_mesh_free(mesh);
+ *     int main(void) {
+ *         const double xyz[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+ *         const uint32_t corners[2][3] = {{0, 1, 3}, {1, 2, 3}}, vertex = 0;
+ *         const taut_sources from = {.struct_size = sizeof from, .vertices = {.data = &vertex, .count = 1}};
+ *         taut_mesh *mesh = NULL;
+ *         taut_exact *exact = NULL;
+ *         taut_exact_field *field = NULL;
+ *         double d[4];
  *
- * For the heat method: taut_heat_new(mesh, NULL, NULL, &heat), then for each set of sources taut_heat_field_new(heat, &from,
- * NULL, &field), taut_heat_field_distances(field, output) and taut_heat_field_free(field), at last taut_heat_free(heat).
- * examples/distance.c is a whole program.
+ *         taut_status status = taut_mesh_new((taut_input){.data = xyz, .count = 4},
+ *                                            (taut_input){.data = corners, .count = 2}, &mesh);
+ *         if (!status) status = taut_exact_new(mesh, &exact);
+ *         if (!status) status = taut_exact_field_new(exact, &from, NULL, NULL, &field);
+ *         if (!status) status = taut_exact_field_distances(field, NULL, (taut_output){.data = d, .count = 4});
+ *         if (status) fprintf(stderr, "%s\n", taut_last_error(NULL));
+ *         else printf("%g\n", d[2]);
  *
- * Places on the surface are a triangle and the weights of its three corners: rows of one index and rows of three real
- * numbers, in two buffers. What taut_closest_points() finds is a source, or a target to ask a field about, as it stands:
+ *         taut_exact_field_free(field);
+ *         taut_exact_free(exact);
+ *         taut_mesh_free(mesh);
+ *         return status ? 1 : 0;
+ *     }
  *
- *     // const double clicks[3 * 2]; uint32_t faces[2]; double weights[3 * 2], off[2]; from the first to the second:
- *     status = taut_closest_points(closest, (taut_input){ .data = clicks, .count = 2 },
- *                                  (taut_output){ .data = faces, .count = 2 },
- *                                  (taut_output){ .data = weights, .count = 2 },
- *                                  (taut_output){ .data = off, .count = 2 });
- *     taut_sources click = { .struct_size = sizeof click, .faces = { .data = faces, .count = 1 },
- *                            .barycentrics = { .data = weights, .count = 1 } };
- *     taut_targets to = { .struct_size = sizeof to, .faces = { .data = faces + 1, .count = 1 },
- *                         .barycentrics = { .data = weights + 3, .count = 1 } };
- *     taut_exact_options options = { .struct_size = sizeof options, .targets = &to, .keep_windows = 1 };
- *     if (!status) status = taut_exact_field_new(exact, &click, &options, NULL, &field);
- *     if (!status) status = taut_exact_field_paths(field, &to, NULL, &path);
+ * By the heat method: taut_heat_new(mesh, NULL, NULL, &heat), then for each set of sources taut_heat_field_new(heat, &from,
+ * NULL, &field) and taut_heat_field_distances(field, out). In the end each handle is freed by its _free.
  *
- * Then taut_curves_point_count(path) tells how many points the shortest path has, taut_curves_positions() where they
- * are. The path begins at the second click: it leads back to the source.
+ * A place on the surface that is no vertex is a triangle and the weights of its three corners, in two buffers: a row of one
+ * index and a row of three real numbers. taut_closest_points() finds the places of clicks; each is a source or a target as
+ * it stands. The shortest path from the second of two clicks back to the first:
+ *
+ *     // const double clicks[2][3]; uint32_t faces[2]; double weights[2][3], off[2];
+ *     status = taut_closest_points(closest, (taut_input){.data = clicks, .count = 2}, NULL,
+ *                                  (taut_output){.data = faces, .count = 2},
+ *                                  (taut_output){.data = weights, .count = 2}, (taut_output){.data = off, .count = 2});
+ *     taut_sources first = {.struct_size = sizeof first, .faces = {.data = faces, .count = 1},
+ *                           .barycentrics = {.data = weights, .count = 1}};
+ *     taut_targets second = {.struct_size = sizeof second, .faces = {.data = faces + 1, .count = 1},
+ *                            .barycentrics = {.data = weights + 1, .count = 1}};
+ *     taut_exact_options options = {.struct_size = sizeof options, .targets = &second, .keep_windows = 1};
+ *     if (!status) status = taut_exact_field_new(exact, &first, &options, NULL, &field);
+ *     if (!status) status = taut_exact_field_paths(field, &second, NULL, &path);
+ *
+ * Then taut_curves_point_count(path) tells how many points it has, taut_curves_positions() where they are.
  *
  * Ownership. A call that makes a handle writes it through its last parameter; free it once with the _free of its type.
  * Handles may be freed in any order: what was made from a mesh keeps what it needs of it. Buffers and structs that are
@@ -51,11 +59,17 @@
  *
  * Errors. Every call that can fail returns a taut_status, 0 on success. On failure a handle that the call should have
  * made is NULL and no output is written. taut_last_error() then tells what went wrong, and with which vertex, face or
- * source. Calls that return a plain value return 0 on failure. No call ends the process or prints, but for two cases:
- * a lack of memory ends it, and a defect of the library (TAUT_STATUS_INTERNAL) leaves a note on standard error.
+ * source. Calls that return a plain value return 0 on failure. Descriptions name what is particular to a call; any may
+ * fail with TAUT_REASON_NULL_POINTER, with TAUT_REASON_BAD_ARGUMENT for a struct or buffer that makes no sense, and with
+ * TAUT_REASON_TOO_MANY_ELEMENTS for one larger than memory. No call ends the process or prints, but for two cases: a lack
+ * of memory ends it, and a defect of the library (TAUT_STATUS_INTERNAL) leaves a note on standard error.
  *
  * NULL. A pointer may be NULL only where its description says so; elsewhere NULL is an error, not a crash. Freeing NULL
  * is fine. A buffer of 0 rows may have data NULL.
+ *
+ * Zero is the default. A field that is 0 asks for the default, so clear a struct and set what you need: in C by
+ * designated initialisers, in C++ by `taut_sources from = {};`. The enums of parameters are integers whose values start
+ * at 1; a value that the library does not know is an error.
  *
  * Threads. Handles never change once they are made, but for taut_control: any number of threads may use one at once,
  * and results do not depend on it. Only freeing needs care: no other call may be using the handle. No thread of the
@@ -63,14 +77,13 @@
  *
  * Limits. A call that takes a taut_control consults it now and then, as its description says: it tells its progress,
  * and ends there if it was cancelled or has reached a limit of time or memory. Then it writes nothing, unless its
- * options let it succeed with a part (allow_partial). The clock starts when the limit is set.
+ * options let it succeed with a part (allow_partial). A call that takes none is short: about a second at most for a
+ * million triangles.
  *
- * Units. Coordinates, distances and start distances are in mesh units, a time step in mesh units squared, progress is
- * in [0, 1]. Indices count from 0.
- *
- * Zero is the default. A field that is 0 asks for the default, so clear a struct and set what you need: in C by
- * designated initialisers, in C++ by `taut_sources from = {};`. The enums of parameters are integers whose values start
- * at 1; a value that the library does not know is an error.
+ * Units. Coordinates, distances and start distances are in mesh units, a time step in mesh units squared, angles in
+ * radians; progress is in [0, 1]. V, E and F are the numbers of vertices, edges and triangles. Indices count from 0; where
+ * there is none to tell, which descriptions call no index, all of its bits are set: -1 in a signed type, the largest value
+ * of an unsigned one.
  *
  * Versions. A struct that starts with struct_size grows at its end only: set it to sizeof it. Programs compiled
  * with an older or newer header keep working; setting a field that the running library does not know is an error.
@@ -389,30 +402,31 @@ typedef struct {
 /* --------------------------------------- Progress, cancellation and limits ---------------------------------------- */
 
 /**
- * A function of yours that is told the progress, in [0, 1], and whatever `user` points to. It returns 0 to go on; any
- * other number cancels the call. It must return: no exception, no `longjmp`.
+ * A function of yours that is told the progress, in [0, 1], and the `user` that was set with it.
+ *
+ * It returns 0 to go on; any other number cancels the call. It must return: no exception, no `longjmp`.
  */
 typedef int (*taut_callback)(double progress, void *user);
 
 /**
- * Makes a control, at progress 0, not cancelled, without limits or callback. Use a new one for each call, or one for
- * several calls that share a limit.
+ * Makes a control, at progress 0, not cancelled, without limits or callback.
+ *
+ * Use a new one for each call, or one for several calls that share a limit.
  *
  * - `out`: receives the control; free it with `taut_control_free` once the call that uses it has returned.
  *
- * Errors: `out` is NULL. Cost: O(1). Threads: any.
+ * Errors: none in particular. Cost: O(1). Threads: any.
  */
 taut_status taut_control_new(taut_control **out);
 
 /**
- * Asks the call that uses the control to stop: at its next check it returns TAUT_STATUS_CANCELLED and writes nothing,
- * or succeeds with what is final by then if its options set `allow_partial`.
- *
- * - `control`: not NULL.
+ * Asks the call that uses the control to stop: at its next check it ends with TAUT_STATUS_CANCELLED.
  *
  * A call that starts with a cancelled control stops at once; one that has just ended is not undone.
  *
- * Cost: O(1). Threads: any.
+ * - `control`: not NULL.
+ *
+ * Errors: none in particular. Cost: O(1). Threads: any.
  */
 void taut_control_cancel(const taut_control *control);
 
@@ -435,36 +449,34 @@ bool taut_control_is_cancelled(const taut_control *control);
 double taut_control_progress(const taut_control *control);
 
 /**
- * Limits the time: from now on this many seconds. A call that uses the control then returns
- * TAUT_STATUS_LIMIT_REACHED at its next check, with TAUT_REASON_TIME_LIMIT, and writes nothing, unless its options set
- * `allow_partial`.
+ * Limits the time: a call that uses the control ends with TAUT_REASON_TIME_LIMIT at its first check after so many seconds
+ * from now.
+ *
+ * A later limit takes the place of an earlier one, also while a call runs.
  *
  * - `control`: not NULL.
  * - `seconds`: not negative; 0 means no limit, as does +INFINITY.
- *
- * A later limit takes the place of an earlier one, also while a call runs.
  *
  * Errors: TAUT_REASON_BAD_ARGUMENT where `seconds` is negative or NaN. Cost: O(1). Threads: any.
  */
 taut_status taut_control_set_time_limit(const taut_control *control, double seconds);
 
 /**
- * Limits the memory that a call takes beyond its mesh and what was prepared. At its next check beyond the limit it
- * returns TAUT_STATUS_LIMIT_REACHED with TAUT_REASON_MEMORY_LIMIT, and writes nothing, unless its options set
- * `allow_partial`.
- *
- * - `control`: not NULL.
- * - `bytes`: 0 means no limit.
+ * Limits the memory that a call takes beyond its mesh and what was prepared: it ends with TAUT_REASON_MEMORY_LIMIT at its
+ * first check beyond the limit.
  *
  * Only calls that compute exact distances count their memory: each of their threads by itself, and without the rows
  * that they gather. To other calls this makes no difference.
  *
- * Errors: `control` is NULL. Cost: O(1). Threads: any.
+ * - `control`: not NULL.
+ * - `bytes`: 0 means no limit.
+ *
+ * Errors: none in particular. Cost: O(1). Threads: any.
  */
 taut_status taut_control_set_memory_limit(const taut_control *control, size_t bytes);
 
 /**
- * Lets a call that uses the control tell its progress at each of its checks, to a function of yours, on the thread that
+ * Lets a call that uses the control tell its progress to a function of yours, at each of its checks, on the thread that
  * makes the call and no other.
  *
  * - `control`: not NULL.
@@ -472,7 +484,7 @@ taut_status taut_control_set_memory_limit(const taut_control *control, size_t by
  * - `user`: handed to the callback as it is; may be NULL. It must stay valid until the callback is replaced or the
  *   control freed, and no call uses the control any more.
  *
- * Errors: `control` is NULL. Cost: O(1). Threads: any.
+ * Errors: none in particular. Cost: O(1). Threads: any.
  */
 taut_status taut_control_set_callback(const taut_control *control, taut_callback callback, void *user);
 
@@ -481,7 +493,7 @@ void taut_control_free(taut_control *control);
 
 /* ----------------------------------------------------- Meshes ----------------------------------------------------- */
 
-/** A mesh file format. */
+/** A mesh file format; there is no default. */
 typedef uint32_t taut_format;
 /**
  * Binary glTF 2.0: all triangles of the default scene, each where its nodes place it. Vertices of equal position are one
@@ -526,19 +538,18 @@ taut_status taut_mesh_new(taut_input positions, taut_input triangles, taut_mesh 
 taut_status taut_mesh_new_polygons(taut_input positions, taut_input offsets, taut_input corners, taut_mesh **out);
 
 /**
- * Makes a mesh of the same triangles with its vertices in other places: a mesh that moves. What connects the triangles is
- * not computed again.
+ * Makes a mesh of the same triangles with its vertices in other places: a mesh that moves.
+ *
+ * What connects the triangles is not computed again; `taut_heat_with_mesh` saves more.
  *
  * - `mesh`: not NULL; it stays as it is and may be freed before the new one.
- * - `positions`: rows of three real numbers, as many as there are vertices; mesh units. It is copied.
+ * - `positions`: rows of three real numbers, as many as there are vertices; mesh units.
  * - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
  *
  * Errors: TAUT_REASON_BAD_ARGUMENT where there are more or fewer positions than vertices;
  * TAUT_REASON_NON_FINITE_COORDINATE names the vertex. Cost: O(V + F). Threads: any. Cannot be cancelled.
  */
-taut_status taut_mesh_with_positions(const taut_mesh *mesh,
-                                     taut_input positions,
-                                     taut_mesh **out);
+taut_status taut_mesh_with_positions(const taut_mesh *mesh, taut_input positions, taut_mesh **out);
 
 /**
  * Reads a mesh file. Polygons become fans as in `taut_mesh_new_polygons`.
@@ -550,8 +561,7 @@ taut_status taut_mesh_with_positions(const taut_mesh *mesh,
  * Errors: TAUT_STATUS_IO where the file cannot be read; TAUT_REASON_UNKNOWN_FORMAT where its suffix tells no format; else
  * as for `taut_mesh_read_bytes`. Cost: linear in the file. Threads: any. Cannot be cancelled.
  */
-taut_status taut_mesh_read(const char *path,
-                           taut_mesh **out);
+taut_status taut_mesh_read(const char *path, taut_mesh **out);
 
 /**
  * Reads a mesh from the content of a file, compressed by gzip or not. Polygons become fans as in
@@ -559,7 +569,7 @@ taut_status taut_mesh_read(const char *path,
  *
  * - `data`: the content; may be NULL if `size` is 0.
  * - `size`: how many bytes it has.
- * - `format`: its format.
+ * - `format`: its format, which must be told.
  * - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
  *
  * Errors: TAUT_REASON_MALFORMED and TAUT_REASON_TRUNCATED name the line, vertex or face where the content stops following
@@ -567,10 +577,7 @@ taut_status taut_mesh_read(const char *path,
  * where there is no such format; else as for `taut_mesh_new_polygons`. Cost: linear in the content. Threads: any. Cannot be
  * cancelled.
  */
-taut_status taut_mesh_read_bytes(const void *data,
-                                 size_t size,
-                                 taut_format format,
-                                 taut_mesh **out);
+taut_status taut_mesh_read_bytes(const void *data, size_t size, taut_format format, taut_mesh **out);
 
 /**
  * Tells how many vertices the mesh has, those that no triangle uses included.
@@ -608,23 +615,6 @@ size_t taut_mesh_ignored_count(const taut_mesh *mesh);
  * Errors: TAUT_REASON_BUFFER_TOO_SMALL. Cost: O(V). Threads: any. Cannot be cancelled.
  */
 taut_status taut_mesh_positions(const taut_mesh *mesh, taut_output out);
-
-/**
- * Tells where points of the surface lie in space.
- *
- * - `mesh`: not NULL.
- * - `faces`: rows of one index, the triangle of each point.
- * - `barycentrics`: rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, as in
- *   `taut_sources`.
- * - `out`: rows of three real numbers, at least as many as there are points; mesh units.
- *
- * Errors: TAUT_REASON_BAD_ARGUMENT names the point or the face that the mesh does not have; TAUT_REASON_BUFFER_TOO_SMALL.
- * Cost: linear in the points. Threads: any. Cannot be cancelled.
- */
-taut_status taut_mesh_point_positions(const taut_mesh *mesh,
-                                      taut_input faces,
-                                      taut_input barycentrics,
-                                      taut_output out);
 
 /**
  * Copies the triangles out.
@@ -668,7 +658,7 @@ typedef struct {
      * are sources of all kinds together, or none, which means 0 for all.
      */
     taut_input offsets;
-    /** Rows of one index, a point of the surface each: the triangle in which it lies. */
+    /** Rows of one index, the points: the triangle in which each lies. */
     taut_input faces;
     /**
      * Rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, not negative,
@@ -706,7 +696,7 @@ typedef struct {
     size_t struct_size;
     /** Rows of one vertex index. */
     taut_input vertices;
-    /** Rows of one index, a point of the surface each: the triangle in which it lies. */
+    /** Rows of one index, the points: the triangle in which each lies. */
     taut_input faces;
     /**
      * Rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, not negative,
@@ -714,6 +704,23 @@ typedef struct {
      */
     taut_input barycentrics;
 } taut_targets;
+
+/**
+ * Tells where points of the surface lie in space.
+ *
+ * - `mesh`: not NULL.
+ * - `faces`: rows of one index, the triangle of each point.
+ * - `barycentrics`: rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, as in
+ *   `taut_sources`.
+ * - `out`: rows of three real numbers, at least as many as there are points; mesh units.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT names the point or the face that the mesh does not have; TAUT_REASON_BUFFER_TOO_SMALL.
+ * Cost: linear in the points. Threads: any. Cannot be cancelled.
+ */
+taut_status taut_mesh_point_positions(const taut_mesh *mesh,
+                                      taut_input faces,
+                                      taut_input barycentrics,
+                                      taut_output out);
 
 /**
  * Prepares a mesh for questions of what is nearest to a point in space, such as a click or a cursor.
@@ -791,7 +798,7 @@ typedef struct {
  * - `mesh`: not NULL; it may be freed afterwards.
  * - `out`: receives the prepared mesh, to be freed with `taut_exact_free`; NULL on failure.
  *
- * Errors: `mesh` or `out` is NULL. Cost: O(V + F) time and memory. Threads: any. Cannot be cancelled.
+ * Errors: none in particular. Cost: O(V + F) time, 0.1 kB for each triangle. Threads: any. Cannot be cancelled.
  */
 taut_status taut_exact_new(const taut_mesh *mesh, taut_exact **out);
 
@@ -822,7 +829,7 @@ taut_status taut_exact_field_new(const taut_exact *exact,
                                  taut_exact_field **out);
 
 /**
- * Tells the distances of places.
+ * Tells the distance of each of some places, or of every vertex.
  *
  * - `field`: not NULL; made with `keep_windows`, unless all targets are vertices.
  * - `targets`: NULL means every vertex.
@@ -833,16 +840,14 @@ taut_status taut_exact_field_new(const taut_exact *exact,
  * mesh, or no vertex where the field keeps no windows; TAUT_REASON_BUFFER_TOO_SMALL. Cost: linear in the targets, and a
  * look at each window of the triangle of a point. Threads: any. Cannot be cancelled.
  */
-taut_status taut_exact_field_distances(const taut_exact_field *field,
-                                       const taut_targets *targets,
-                                       taut_output out);
+taut_status taut_exact_field_distances(const taut_exact_field *field, const taut_targets *targets, taut_output out);
 
 /**
- * Tells the nearest source of places, by its number among the sources.
+ * Tells the nearest source of each of some places, by its number among the sources.
  *
  * - `field`, `targets`: as for `taut_exact_field_distances`.
- * - `out`: rows of one index, at least one for each target. Where no source reaches, and beyond
- *   `taut_exact_field_final_radius`, all bits are set: -1 in a signed type, the largest value of an unsigned one.
+ * - `out`: rows of one index, at least one for each target; no index where no source reaches, and beyond
+ *   `taut_exact_field_final_radius`.
  *
  * Errors: as for `taut_exact_field_distances`; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: as for
  * `taut_exact_field_distances`. Threads: any. Cannot be cancelled.
@@ -875,8 +880,10 @@ taut_status taut_exact_field_paths(const taut_exact_field *field,
 
 /**
  * Tells up to which distance the field is complete: distances up to this one are there and final, beyond it all are
- * +INFINITY. It is +INFINITY unless the work stopped at its targets or its radius, or was interrupted; work that was
- * interrupted early may know no distance for certain, and then this is below the least start distance.
+ * +INFINITY.
+ *
+ * It is +INFINITY unless the work stopped at its targets or its radius, or was interrupted. Work that was interrupted early
+ * may know no distance for certain; then it is below the least start distance.
  *
  * - `field`: not NULL.
  *
@@ -894,8 +901,7 @@ double taut_exact_field_final_radius(const taut_exact_field *field);
  * Returns TAUT_STATUS_OK if nothing did, TAUT_STATUS_CANCELLED or TAUT_STATUS_LIMIT_REACHED;
  * TAUT_STATUS_INVALID_ARGUMENT if `field` is NULL or `detail` without its size. Cost: O(1). Threads: any.
  */
-taut_status taut_exact_field_interruption(const taut_exact_field *field,
-                                          taut_error *detail);
+taut_status taut_exact_field_interruption(const taut_exact_field *field, taut_error *detail);
 
 /**
  * Tells how many windows crossed a triangle: a measure of the work that does not depend on the machine.
@@ -1047,13 +1053,13 @@ void taut_sparse_distances_free(taut_sparse_distances *distances);
  * - `sources`: what to begin with; not NULL, at least one.
  * - `count`: how many vertices are wanted.
  * - `control`: progress, cancellation and limits, or NULL.
- * - `vertices`: rows of one index, at least `count` of them. Once no vertex of a triangle is farther than 0, as when all
- *   are taken, all bits are set: -1 in a signed type, the largest value of an unsigned one.
+ * - `vertices`: rows of one index, at least `count` of them; no index once no vertex of a triangle is farther than 0, as
+ *   when all are taken.
  * - `distances`: rows of one real number, at least `count` of them: how far each vertex was when it was taken, in mesh
  *   units; +INFINITY for the first one in a component without any, 0 where there is no vertex.
  *
  * Errors: TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; TAUT_REASON_BAD_ARGUMENT where a vertex exceeds the
- * type; else as for `taut_exact_field_new`. On failure nothing is written. Cost: the first vertex as much as a field, each
+ * type; else as for `taut_exact_field_new`. Cost: the first vertex as much as a field, each
  * further one about as much as the area that it takes, and O(V). Threads: any, also on one `exact` at once. The control is
  * consulted as by `taut_exact_field_new`.
  */
@@ -1204,7 +1210,8 @@ typedef struct {
  * - `time_step`: all zero means the default.
  * - `out`: not NULL; receives t in mesh units squared.
  *
- * Errors: TAUT_REASON_BAD_ARGUMENT; TAUT_REASON_BAD_TIME_STEP where t is not positive and finite. Cost: O(F). Threads:
+ * Errors: TAUT_REASON_BAD_ARGUMENT where the fields of the time step exclude each other; TAUT_REASON_BAD_TIME_STEP where t
+ * is not positive and finite, or a formula says nothing about this mesh. Cost: O(F). Threads:
  * any. Cannot be cancelled.
  */
 taut_status taut_time_step_value(const taut_mesh *mesh, taut_time_step time_step, double *out);
@@ -1217,10 +1224,11 @@ taut_status taut_time_step_value(const taut_mesh *mesh, taut_time_step time_step
  * - `control`: progress, cancellation and a time limit, or NULL.
  * - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
  *
- * Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_MISSING_FEATURE,
- * TAUT_REASON_NOT_POSITIVE_DEFINITE, TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: two sparse Cholesky
- * factorisations, about O(V^1.5) time and O(V log V) memory. Threads: any. The control is consulted between the
- * steps, not inside a factorisation.
+ * Errors: TAUT_REASON_BAD_ARGUMENT names the option; TAUT_REASON_BAD_TIME_STEP; TAUT_REASON_MISSING_FEATURE where the
+ * library was built without the solver; TAUT_REASON_NOT_POSITIVE_DEFINITE where a factorisation breaks down;
+ * TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: two sparse Cholesky
+ * factorisations, about O(V^1.5) time and O(V log V) memory. Threads: any. The control is consulted between the steps
+ * and, some milliseconds apart, inside the factorisations (`TAUT_SOLVER_LDL`: not inside).
  */
 taut_status taut_heat_new(const taut_mesh *mesh,
                           const taut_heat_options *options,
@@ -1235,9 +1243,9 @@ taut_status taut_heat_new(const taut_mesh *mesh,
  * - `control`: progress, cancellation and a time limit, or NULL.
  * - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
  *
- * Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_NOT_POSITIVE_DEFINITE,
+ * Errors: as for `taut_time_step_value`; TAUT_REASON_NOT_POSITIVE_DEFINITE where the factorisation breaks down;
  * TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: one numeric factorisation, a fraction of `taut_heat_new`.
- * Threads: any. The control is consulted between the steps, not inside a factorisation.
+ * Threads: any. The control is consulted as by `taut_heat_new`.
  */
 taut_status taut_heat_with_time_step(const taut_heat *heat,
                                      taut_time_step time_step,
@@ -1254,7 +1262,7 @@ taut_status taut_heat_with_time_step(const taut_heat *heat,
  *
  * Errors: TAUT_REASON_BAD_ARGUMENT where the mesh has other triangles; else as for `taut_heat_new`. Cost: that of
  * `taut_heat_new` less the ordering of the matrices and, where no other edges are flipped than before, less their
- * analysis. Threads: any. The control is consulted between the steps, not inside a factorisation.
+ * analysis. Threads: any. The control is consulted as by `taut_heat_new`.
  */
 taut_status taut_heat_with_mesh(const taut_heat *heat,
                                 const taut_mesh *mesh,
@@ -1262,7 +1270,7 @@ taut_status taut_heat_with_mesh(const taut_heat *heat,
                                 taut_heat **out);
 
 /**
- * Tells the time step t in mesh units squared.
+ * Tells the time step t that a method was prepared for, in mesh units squared.
  *
  * - `heat`: not NULL.
  *
@@ -1276,7 +1284,7 @@ double taut_heat_time_step(const taut_heat *heat);
  * - `heat`: not NULL.
  * - `out`: not NULL; receives it; set `struct_size` before the call.
  *
- * Errors: TAUT_REASON_BAD_ARGUMENT. Cost: O(1). Threads: any. Cannot be cancelled.
+ * Errors: none in particular. Cost: O(1). Threads: any. Cannot be cancelled.
  */
 taut_status taut_heat_report_of(const taut_heat *heat, taut_heat_report *out);
 
@@ -1291,7 +1299,7 @@ void taut_heat_free(taut_heat *heat);
  * - `control`: progress, cancellation and a time limit, or NULL.
  * - `out`: receives the field, to be freed with `taut_heat_field_free`; NULL on failure.
  *
- * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and
+ * Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and, with `boundary` 1,
  * TAUT_REASON_SOURCE_ON_BOUNDARY name the source; TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: a few sparse
  * triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` also a short one for each vertex of a source or, for more
  * than 256 in one component, a factorisation. Threads: any, also on one `heat` at once. The control is consulted between
@@ -1319,8 +1327,7 @@ taut_status taut_heat_field_distances(const taut_heat_field *field, taut_output 
  * Tells the nearest source of every vertex, by its number among the sources: the one to which steepest descent leads.
  *
  * - `field`: not NULL.
- * - `out`: rows of one index, at least as many as there are vertices. Where no source reaches all bits are set: -1 in a
- *   signed type, the largest value of an unsigned one.
+ * - `out`: rows of one index, at least as many as there are vertices; no index where no source reaches.
  *
  * Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: O(V log V).
  * Threads: any. Cannot be cancelled.
@@ -1453,19 +1460,16 @@ taut_status taut_spaced_levels(const taut_mesh *mesh,
  * finite; TAUT_REASON_TOO_MANY_ELEMENTS where the points exceed 32-bit indices. Cost: O(F log n + output) time for n
  * levels together, O(F + output) memory. Threads: any. Cannot be cancelled.
  */
-taut_status taut_isolines_new(const taut_mesh *mesh,
-                              taut_input values,
-                              taut_input levels,
-                              taut_curves **out);
+taut_status taut_isolines_new(const taut_mesh *mesh, taut_input values, taut_input levels, taut_curves **out);
 
 /**
- * Draws the paths along which a field falls steepest, one from each of some places: down distances, of whatever origin,
- * they lead back to the sources, and come near to the shortest paths.
+ * Draws the paths along which a field falls steepest, one from each of some places.
  *
- * The field is linear in each triangle, and never rises along a path. Without sources a path ends at a vertex that has no
- * lower neighbour, which may be the target itself. With sources it ends at one of them, also inside a triangle or on a
- * curve; where distances have a minimum that is no source, as where triangles are obtuse, it goes on over the lowest pass.
- * No two points that follow each other are at one position.
+ * Down distances, of whatever origin, they lead back to the sources, and come near to the shortest paths. The field is
+ * linear in each triangle, and never rises along a path. Without sources a path ends at a vertex that has no lower
+ * neighbour, which may be the target itself. With sources it ends at one of them, also inside a triangle or on a curve;
+ * where distances have a minimum that is no source, as where triangles are obtuse, it goes on over the lowest pass. No two
+ * points that follow each other are at one position.
  *
  * - `mesh`: not NULL; it may be freed afterwards.
  * - `values`: rows of one real number, as many as there are vertices, in any unit; not finite where there is no value.
@@ -1563,20 +1567,18 @@ taut_status taut_curves_closed(const taut_curves *curves, taut_output out);
  *
  * - `curves`: not NULL.
  * - `out`: rows of one index, at least `taut_curves_count` of them: the number of the level, never decreasing; of paths,
- *   which are one for each target, just 0, 1, 2 and so on.
+ *   which are one for each target, just 0, 1, 2 and so on; of a curve through points 0.
  *
  * Errors: as for `taut_curves_offsets`. Cost: linear in the curves. Threads: any. Cannot be cancelled.
  */
-taut_status taut_curves_levels(const taut_curves *curves,
-                               taut_output out);
+taut_status taut_curves_levels(const taut_curves *curves, taut_output out);
 
 /**
  * Copies out at which source each path ends, by its number among the sources.
  *
  * - `curves`: not NULL.
- * - `out`: rows of one index, at least `taut_curves_count` of them. All bits are set, -1 in a signed type, the largest
- *   value of an unsigned one, where a curve has no points or is no path, and where a path of steepest descent ends at
- *   no source.
+ * - `out`: rows of one index, at least `taut_curves_count` of them: no index where a curve has no points or is no path, and
+ *   where a path of steepest descent ends at no source.
  *
  * Errors: as for `taut_curves_offsets`. Cost: linear in the curves. Threads: any. Cannot be cancelled.
  */
@@ -1703,7 +1705,7 @@ typedef struct {
  * - `mesh`: not NULL; it may be freed afterwards.
  * - `out`: receives the report, to be freed with `taut_report_free`; NULL on failure.
  *
- * Errors: `mesh` or `out` is NULL. Cost: O(V log V + F log F). Threads: any. Cannot be cancelled.
+ * Errors: none in particular. Cost: O(V log V + F log F). Threads: any. Cannot be cancelled.
  */
 taut_status taut_report_new(const taut_mesh *mesh, taut_report **out);
 
@@ -1747,7 +1749,7 @@ taut_status taut_report_boundary_vertices(const taut_report *report, taut_output
  * - `component`: its place, less than `taut_report_count` of TAUT_FINDING_COMPONENTS.
  * - `out`: not NULL; receives the description; set `struct_size` before the call.
  *
- * Errors: TAUT_REASON_BAD_ARGUMENT. Cost: O(1). Threads: any. Cannot be cancelled.
+ * Errors: TAUT_REASON_BAD_ARGUMENT where there is no such component. Cost: O(1). Threads: any. Cannot be cancelled.
  */
 taut_status taut_report_component(const taut_report *report, size_t component, taut_component *out);
 
@@ -1755,8 +1757,7 @@ taut_status taut_report_component(const taut_report *report, size_t component, t
  * Tells the component of each vertex.
  *
  * - `report`: not NULL.
- * - `out`: rows of one index, at least as many as there are vertices. For a vertex that no triangle uses all bits are
- *   set: -1 in a signed type, the largest value of an unsigned one.
+ * - `out`: rows of one index, at least as many as there are vertices; no index for a vertex that no triangle uses.
  *
  * Errors: as for `taut_report_list`. Cost: O(V). Threads: any. Cannot be cancelled.
  */
@@ -1768,7 +1769,7 @@ taut_status taut_report_component_of(const taut_report *report, taut_output out)
  * - `report`: not NULL.
  * - `smallest`, `largest`: receive the angles; not NULL.
  *
- * Errors: a parameter is NULL. Cost: O(1). Threads: any. Cannot be cancelled.
+ * Errors: none in particular. Cost: O(1). Threads: any. Cannot be cancelled.
  */
 taut_status taut_report_angles(const taut_report *report, taut_angle *smallest, taut_angle *largest);
 

@@ -80,7 +80,7 @@ fn is_handle(item: &str) -> bool {
     line.starts_with("typedef struct ") && line.ends_with(';')
 }
 
-/// Brings the values of an integer type to the type, where cbindgen puts them last, and short comments on one line.
+/// Brings the values of an integer type to the type, where cbindgen puts them last; what fits on one line goes there.
 fn tidy(header: &str) -> String {
     let mut paragraphs: Vec<String> =
         header.split("\n\n").map(|paragraph| paragraph.trim_matches('\n').into()).collect();
@@ -94,7 +94,15 @@ fn tidy(header: &str) -> String {
         }
         i += 1;
     }
-    one_line_comments(&(paragraphs.join("\n\n") + "\n"))
+    one_line_comments(&paragraphs.iter().map(|item| one_line_prototype(item) + "\n\n").collect::<String>())
+}
+
+/// Writes a function on one line where it fits, which cbindgen does only sometimes.
+fn one_line_prototype(item: &str) -> String {
+    let Some(start) = item.find("\ntaut_status taut_").filter(|_| item.ends_with(");")) else { return item.to_owned() };
+    let (comment, prototype) = item.split_at(start + 1);
+    let line = prototype.split('\n').map(str::trim).collect::<Vec<_>>().join(" ");
+    if line.len() <= 120 { format!("{comment}{line}") } else { item.to_owned() }
 }
 
 /// Writes `/** x */` for a comment of one line.

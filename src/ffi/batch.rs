@@ -170,13 +170,13 @@ pub extern "C" fn taut_sparse_distances_free(distances: Option<Box<taut_sparse_d
 /// - `sources`: what to begin with; not NULL, at least one.
 /// - `count`: how many vertices are wanted.
 /// - `control`: progress, cancellation and limits, or NULL.
-/// - `vertices`: rows of one index, at least `count` of them. Once no vertex of a triangle is farther than 0, as when all
-///   are taken, all bits are set: -1 in a signed type, the largest value of an unsigned one.
+/// - `vertices`: rows of one index, at least `count` of them; no index once no vertex of a triangle is farther than 0, as
+///   when all are taken.
 /// - `distances`: rows of one real number, at least `count` of them: how far each vertex was when it was taken, in mesh
 ///   units; +INFINITY for the first one in a component without any, 0 where there is no vertex.
 ///
 /// Errors: TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; TAUT_REASON_BAD_ARGUMENT where a vertex exceeds the
-/// type; else as for `taut_exact_field_new`. On failure nothing is written. Cost: the first vertex as much as a field, each
+/// type; else as for `taut_exact_field_new`. Cost: the first vertex as much as a field, each
 /// further one about as much as the area that it takes, and O(V). Threads: any, also on one `exact` at once. The control is
 /// consulted as by `taut_exact_field_new`.
 #[unsafe(no_mangle)]

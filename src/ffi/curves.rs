@@ -140,7 +140,7 @@ pub unsafe extern "C" fn taut_curves_closed(curves: Option<&taut_curves>, out: t
 ///
 /// - `curves`: not NULL.
 /// - `out`: rows of one index, at least `taut_curves_count` of them: the number of the level, never decreasing; of paths,
-///   which are one for each target, just 0, 1, 2 and so on.
+///   which are one for each target, just 0, 1, 2 and so on; of a curve through points 0.
 ///
 /// Errors: as for `taut_curves_offsets`. Cost: linear in the curves. Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
@@ -152,9 +152,8 @@ pub unsafe extern "C" fn taut_curves_levels(curves: Option<&taut_curves>, out: t
 /// Copies out at which source each path ends, by its number among the sources.
 ///
 /// - `curves`: not NULL.
-/// - `out`: rows of one index, at least `taut_curves_count` of them. All bits are set, -1 in a signed type, the largest
-///   value of an unsigned one, where a curve has no points or is no path, and where a path of steepest descent ends at
-///   no source.
+/// - `out`: rows of one index, at least `taut_curves_count` of them: no index where a curve has no points or is no path, and
+///   where a path of steepest descent ends at no source.
 ///
 /// Errors: as for `taut_curves_offsets`. Cost: linear in the curves. Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]

@@ -50,7 +50,7 @@ unsafe impl SizedStruct for taut_exact_options {}
 /// - `mesh`: not NULL; it may be freed afterwards.
 /// - `out`: receives the prepared mesh, to be freed with `taut_exact_free`; NULL on failure.
 ///
-/// Errors: `mesh` or `out` is NULL. Cost: O(V + F) time and memory. Threads: any. Cannot be cancelled.
+/// Errors: none in particular. Cost: O(V + F) time, 0.1 kB for each triangle. Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_exact_new(mesh: Option<&taut_mesh>, out: *mut *mut taut_exact) -> Status {
     let body = || {
@@ -120,7 +120,7 @@ unsafe fn options_of(options: *const taut_exact_options) -> Result<ExactOptions>
     Ok(ExactOptions { targets, radius, allow_partial, keep_windows })
 }
 
-/// Tells the distances of places.
+/// Tells the distance of each of some places, or of every vertex.
 ///
 /// - `field`: not NULL; made with `keep_windows`, unless all targets are vertices.
 /// - `targets`: NULL means every vertex.
@@ -148,11 +148,11 @@ pub unsafe extern "C" fn taut_exact_field_distances(
     })
 }
 
-/// Tells the nearest source of places, by its number among the sources.
+/// Tells the nearest source of each of some places, by its number among the sources.
 ///
 /// - `field`, `targets`: as for `taut_exact_field_distances`.
-/// - `out`: rows of one index, at least one for each target. Where no source reaches, and beyond
-///   `taut_exact_field_final_radius`, all bits are set: -1 in a signed type, the largest value of an unsigned one.
+/// - `out`: rows of one index, at least one for each target; no index where no source reaches, and beyond
+///   `taut_exact_field_final_radius`.
 ///
 /// Errors: as for `taut_exact_field_distances`; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: as for
 /// `taut_exact_field_distances`. Threads: any. Cannot be cancelled.
@@ -222,8 +222,10 @@ fn of_each<A>(targets: &[Target], answer: impl Fn(Target) -> Result<A>) -> Resul
 }
 
 /// Tells up to which distance the field is complete: distances up to this one are there and final, beyond it all are
-/// +INFINITY. It is +INFINITY unless the work stopped at its targets or its radius, or was interrupted; work that was
-/// interrupted early may know no distance for certain, and then this is below the least start distance.
+/// +INFINITY.
+///
+/// It is +INFINITY unless the work stopped at its targets or its radius, or was interrupted. Work that was interrupted early
+/// may know no distance for certain; then it is below the least start distance.
 ///
 /// - `field`: not NULL.
 ///

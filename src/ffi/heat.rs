@@ -156,7 +156,8 @@ unsafe impl SizedStruct for taut_heat_residuals {}
 /// - `time_step`: all zero means the default.
 /// - `out`: not NULL; receives t in mesh units squared.
 ///
-/// Errors: TAUT_REASON_BAD_ARGUMENT; TAUT_REASON_BAD_TIME_STEP where t is not positive and finite. Cost: O(F). Threads:
+/// Errors: TAUT_REASON_BAD_ARGUMENT where the fields of the time step exclude each other; TAUT_REASON_BAD_TIME_STEP where t
+/// is not positive and finite, or a formula says nothing about this mesh. Cost: O(F). Threads:
 /// any. Cannot be cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_time_step_value(
@@ -182,10 +183,11 @@ pub unsafe extern "C" fn taut_time_step_value(
 /// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
 ///
-/// Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_MISSING_FEATURE,
-/// TAUT_REASON_NOT_POSITIVE_DEFINITE, TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: two sparse Cholesky
-/// factorisations, about O(V^1.5) time and O(V log V) memory. Threads: any. The control is consulted between the
-/// steps, not inside a factorisation.
+/// Errors: TAUT_REASON_BAD_ARGUMENT names the option; TAUT_REASON_BAD_TIME_STEP; TAUT_REASON_MISSING_FEATURE where the
+/// library was built without the solver; TAUT_REASON_NOT_POSITIVE_DEFINITE where a factorisation breaks down;
+/// TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: two sparse Cholesky
+/// factorisations, about O(V^1.5) time and O(V log V) memory. Threads: any. The control is consulted between the steps
+/// and, some milliseconds apart, inside the factorisations (`TAUT_SOLVER_LDL`: not inside).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_new(
     mesh: Option<&taut_mesh>,
@@ -210,9 +212,9 @@ pub unsafe extern "C" fn taut_heat_new(
 /// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
 ///
-/// Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_NOT_POSITIVE_DEFINITE,
+/// Errors: as for `taut_time_step_value`; TAUT_REASON_NOT_POSITIVE_DEFINITE where the factorisation breaks down;
 /// TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: one numeric factorisation, a fraction of `taut_heat_new`.
-/// Threads: any. The control is consulted between the steps, not inside a factorisation.
+/// Threads: any. The control is consulted as by `taut_heat_new`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_with_time_step(
     heat: Option<&taut_heat>,
@@ -237,7 +239,7 @@ pub unsafe extern "C" fn taut_heat_with_time_step(
 ///
 /// Errors: TAUT_REASON_BAD_ARGUMENT where the mesh has other triangles; else as for `taut_heat_new`. Cost: that of
 /// `taut_heat_new` less the ordering of the matrices and, where no other edges are flipped than before, less their
-/// analysis. Threads: any. The control is consulted between the steps, not inside a factorisation.
+/// analysis. Threads: any. The control is consulted as by `taut_heat_new`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_with_mesh(
     heat: Option<&taut_heat>,
@@ -253,7 +255,7 @@ pub unsafe extern "C" fn taut_heat_with_mesh(
     unsafe { guard_new(out, body) }
 }
 
-/// Tells the time step t in mesh units squared.
+/// Tells the time step t that a method was prepared for, in mesh units squared.
 ///
 /// - `heat`: not NULL.
 ///
@@ -268,7 +270,7 @@ pub extern "C" fn taut_heat_time_step(heat: Option<&taut_heat>) -> f64 {
 /// - `heat`: not NULL.
 /// - `out`: not NULL; receives it; set `struct_size` before the call.
 ///
-/// Errors: TAUT_REASON_BAD_ARGUMENT. Cost: O(1). Threads: any. Cannot be cancelled.
+/// Errors: none in particular. Cost: O(1). Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_report_of(heat: Option<&taut_heat>, out: *mut taut_heat_report) -> Status {
     guard(|| {
@@ -311,7 +313,7 @@ pub extern "C" fn taut_heat_free(heat: Option<Box<taut_heat>>) {
 /// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: receives the field, to be freed with `taut_heat_field_free`; NULL on failure.
 ///
-/// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and
+/// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and, with `boundary` 1,
 /// TAUT_REASON_SOURCE_ON_BOUNDARY name the source; TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: a few sparse
 /// triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` also a short one for each vertex of a source or, for more
 /// than 256 in one component, a factorisation. Threads: any, also on one `heat` at once. The control is consulted between
@@ -351,8 +353,7 @@ pub unsafe extern "C" fn taut_heat_field_distances(field: Option<&taut_heat_fiel
 /// Tells the nearest source of every vertex, by its number among the sources: the one to which steepest descent leads.
 ///
 /// - `field`: not NULL.
-/// - `out`: rows of one index, at least as many as there are vertices. Where no source reaches all bits are set: -1 in a
-///   signed type, the largest value of an unsigned one.
+/// - `out`: rows of one index, at least as many as there are vertices; no index where no source reaches.
 ///
 /// Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: O(V log V).
 /// Threads: any. Cannot be cancelled.

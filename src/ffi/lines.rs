@@ -127,13 +127,13 @@ pub unsafe extern "C" fn taut_isolines_new(
     unsafe { guard_new(out, body) }
 }
 
-/// Draws the paths along which a field falls steepest, one from each of some places: down distances, of whatever origin,
-/// they lead back to the sources, and come near to the shortest paths.
+/// Draws the paths along which a field falls steepest, one from each of some places.
 ///
-/// The field is linear in each triangle, and never rises along a path. Without sources a path ends at a vertex that has no
-/// lower neighbour, which may be the target itself. With sources it ends at one of them, also inside a triangle or on a
-/// curve; where distances have a minimum that is no source, as where triangles are obtuse, it goes on over the lowest pass.
-/// No two points that follow each other are at one position.
+/// Down distances, of whatever origin, they lead back to the sources, and come near to the shortest paths. The field is
+/// linear in each triangle, and never rises along a path. Without sources a path ends at a vertex that has no lower
+/// neighbour, which may be the target itself. With sources it ends at one of them, also inside a triangle or on a curve;
+/// where distances have a minimum that is no source, as where triangles are obtuse, it goes on over the lowest pass. No two
+/// points that follow each other are at one position.
 ///
 /// - `mesh`: not NULL; it may be freed afterwards.
 /// - `values`: rows of one real number, as many as there are vertices, in any unit; not finite where there is no value.

@@ -1,16 +1,15 @@
 //! `taut_mesh`: from buffers or a file.
 
 use super::guard::{free, guard, guard_new, guard_value, null, required};
-use super::places::surface_points;
 use super::types::{bad_enum, taut_input, taut_output};
-use crate::{Element, Error, Faces, Mesh, MeshFormat, Reason, Result, Status};
+use crate::{Error, Faces, Mesh, MeshFormat, Reason, Result, Status};
 use libc::{c_char, c_void};
 use std::ffi::CStr;
 
 /// A mesh, checked once and then immutable: any soup of triangles. Vertex v of the mesh is vertex v of its input.
 pub struct taut_mesh(pub(super) Mesh);
 
-/// A mesh file format.
+/// A mesh file format; there is no default.
 pub type taut_format = u32;
 /// Binary glTF 2.0: all triangles of the default scene, each where its nodes place it. Vertices of equal position are one
 /// vertex, numbered by first appearance.
@@ -78,11 +77,12 @@ pub unsafe extern "C" fn taut_mesh_new_polygons(
     unsafe { guard_new(out, body) }
 }
 
-/// Makes a mesh of the same triangles with its vertices in other places: a mesh that moves. What connects the triangles is
-/// not computed again.
+/// Makes a mesh of the same triangles with its vertices in other places: a mesh that moves.
+///
+/// What connects the triangles is not computed again; `taut_heat_with_mesh` saves more.
 ///
 /// - `mesh`: not NULL; it stays as it is and may be freed before the new one.
-/// - `positions`: rows of three real numbers, as many as there are vertices; mesh units. It is copied.
+/// - `positions`: rows of three real numbers, as many as there are vertices; mesh units.
 /// - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
 ///
 /// Errors: TAUT_REASON_BAD_ARGUMENT where there are more or fewer positions than vertices;
@@ -127,7 +127,7 @@ pub unsafe extern "C" fn taut_mesh_read(path: *const c_char, out: *mut *mut taut
 ///
 /// - `data`: the content; may be NULL if `size` is 0.
 /// - `size`: how many bytes it has.
-/// - `format`: its format.
+/// - `format`: its format, which must be told.
 /// - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
 ///
 /// Errors: TAUT_REASON_MALFORMED and TAUT_REASON_TRUNCATED name the line, vertex or face where the content stops following
@@ -221,33 +221,6 @@ pub extern "C" fn taut_mesh_ignored_count(mesh: Option<&taut_mesh>) -> usize {
 pub unsafe extern "C" fn taut_mesh_positions(mesh: Option<&taut_mesh>, out: taut_output) -> Status {
     // SAFETY: the header asks for a view of writable memory.
     guard(|| unsafe { out.write_scalars(required(mesh, "mesh")?.0.positions(), "out") })
-}
-
-/// Tells where points of the surface lie in space.
-///
-/// - `mesh`: not NULL.
-/// - `faces`: rows of one index, the triangle of each point.
-/// - `barycentrics`: rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, as in
-///   `taut_sources`.
-/// - `out`: rows of three real numbers, at least as many as there are points; mesh units.
-///
-/// Errors: TAUT_REASON_BAD_ARGUMENT names the point or the face that the mesh does not have; TAUT_REASON_BUFFER_TOO_SMALL.
-/// Cost: linear in the points. Threads: any. Cannot be cancelled.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn taut_mesh_point_positions(
-    mesh: Option<&taut_mesh>,
-    faces: taut_input,
-    barycentrics: taut_input,
-    out: taut_output,
-) -> Status {
-    guard(|| {
-        let mesh = &required(mesh, "mesh")?.0;
-        // SAFETY: the header asks for views of readable memory.
-        let points = unsafe { surface_points(faces, barycentrics, "", Element::Point)? };
-        let positions = points.iter().map(|point| point.position(mesh)).collect::<Result<Vec<_>>>()?;
-        // SAFETY: the header asks for a view of writable memory.
-        unsafe { out.write_scalars(&positions, "out") }
-    })
 }
 
 /// Copies the triangles out.

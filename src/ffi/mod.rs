@@ -1,8 +1,9 @@
 //! The C interface: one file per handle, and the only `unsafe` of the crate.
 //!
 //! Every entry point that can fail has the same shape: [`guard`] catches panics and keeps the error for
-//! `taut_last_error`; [`types`] and [`places`] turn views, sized structs and sources into the crate's own; the work is one call of the
-//! public Rust API. Doc comments of public items here are the C manual: `tests/header.rs` makes `include/taut.h` of them.
+//! `taut_last_error`; [`types`] and [`places`] turn views, sized structs and sources into the crate's own; the work is
+//! one call of the public Rust API. Doc comments of public items here are the C manual: `tests/header.rs` makes
+//! `include/taut.h` of them.
 //!
 //! What an entry point asks of its pointers stands once, in the header's preamble: a handle is NULL or alive, a view
 //! describes memory that the caller owns, a sized struct has the size that it states, `out` is NULL or writable.

@@ -1,8 +1,9 @@
 //! Places on the surface: sources and targets, which cross the border as views of vertices, points and curves.
 
-use super::guard::null;
-use super::types::{SizedStruct, read_sized, taut_input};
-use crate::{Curve, Element, Error, IndexType, Reason, Result, Rows, Source, SurfacePoint, Target};
+use super::guard::{guard, null, required};
+use super::mesh::taut_mesh;
+use super::types::{SizedStruct, read_sized, taut_input, taut_output};
+use crate::{Curve, Element, Error, IndexType, Reason, Result, Rows, Source, Status, SurfacePoint, Target};
 use std::ops::Range;
 
 /// Where distances are measured from: vertices, points of the surface and curves on it, each at its own start distance.
@@ -19,7 +20,7 @@ pub struct taut_sources {
     /// Rows of one real number, the start distance of each source in mesh units: finite, of any sign. As many as there
     /// are sources of all kinds together, or none, which means 0 for all.
     pub offsets: taut_input,
-    /// Rows of one index, a point of the surface each: the triangle in which it lies.
+    /// Rows of one index, the points: the triangle in which each lies.
     pub faces: taut_input,
     /// Rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, not negative,
     /// their sum 1 up to 1e-6.
@@ -52,7 +53,7 @@ pub struct taut_targets {
     pub struct_size: usize,
     /// Rows of one vertex index.
     pub vertices: taut_input,
-    /// Rows of one index, a point of the surface each: the triangle in which it lies.
+    /// Rows of one index, the points: the triangle in which each lies.
     pub faces: taut_input,
     /// Rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, not negative,
     /// their sum 1 up to 1e-6.
@@ -61,6 +62,33 @@ pub struct taut_targets {
 
 // SAFETY: as for taut_sources.
 unsafe impl SizedStruct for taut_targets {}
+
+/// Tells where points of the surface lie in space.
+///
+/// - `mesh`: not NULL.
+/// - `faces`: rows of one index, the triangle of each point.
+/// - `barycentrics`: rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, as in
+///   `taut_sources`.
+/// - `out`: rows of three real numbers, at least as many as there are points; mesh units.
+///
+/// Errors: TAUT_REASON_BAD_ARGUMENT names the point or the face that the mesh does not have; TAUT_REASON_BUFFER_TOO_SMALL.
+/// Cost: linear in the points. Threads: any. Cannot be cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_mesh_point_positions(
+    mesh: Option<&taut_mesh>,
+    faces: taut_input,
+    barycentrics: taut_input,
+    out: taut_output,
+) -> Status {
+    guard(|| {
+        let mesh = &required(mesh, "mesh")?.0;
+        // SAFETY: the header asks for views of readable memory.
+        let points = unsafe { surface_points(faces, barycentrics, "", Element::Point)? };
+        let positions = points.iter().map(|point| point.position(mesh)).collect::<Result<Vec<_>>>()?;
+        // SAFETY: the header asks for a view of writable memory.
+        unsafe { out.write_scalars(&positions, "out") }
+    })
+}
 
 /// Vertex indices; one that does not fit in 32 bits names its row by `element`.
 ///
