@@ -20,12 +20,11 @@ function(taut_program name library squares)
     target_link_libraries(${name} PRIVATE ${library} m Threads::Threads)
 endfunction()
 
-# taut_contracts(SUFFIX LIBRARY SQUARES OPTION...): all programs, and proof, whose mistakes must be found.
-function(taut_contracts suffix library squares)
-    foreach(noun IN LISTS contracts)
-        taut_program(contract_${noun}${suffix} ${library} ${squares} contract_${noun}.c contract.c functions.c OPTIONS ${ARGN})
+# taut_contracts(SUFFIX LIBRARY SQUARES NAMES OPTION...): these programs.
+function(taut_contracts suffix library squares names)
+    foreach(name IN LISTS names)
+        taut_program(contract_${name}${suffix} ${library} ${squares} contract_${name}.c contract.c functions.c ${ARGN})
     endforeach()
-    taut_program(proof${suffix} ${library} ${squares} proof.c OPTIONS ${ARGN})
 endfunction()
 
 # A panic is expected; its backtrace takes valgrind half a minute.
@@ -42,7 +41,7 @@ function(taut_proof suffix label mistake message)
     set_tests_properties(proof_${mistake}${suffix} PROPERTIES LABELS ${label} PASS_REGULAR_EXPRESSION "${message}")
 endfunction()
 
-taut_contracts("" taut::taut 300)
+taut_contracts("" taut::taut 300 "${contracts}")
 taut_contract_tests("" contract "${contracts}")
 
 # taut_sanitized_library(NAME FLAGS ARGUMENT...): the library once more, with a sanitizer of Rust's; gcc brings its runtime.
@@ -51,7 +50,7 @@ function(taut_sanitized_library name flags)
     string(REGEX MATCH "host: ([^\\n]*)" host "${rustc}")
     set(folder ${PROJECT_BINARY_DIR}/${name}/${CMAKE_MATCH_1}/debug)
     add_custom_target(${name}_library
-        COMMAND ${CMAKE_COMMAND} -E env RUSTC_BOOTSTRAP=1 RUSTFLAGS=${flags} CARGO_PROFILE_DEV_DEBUG=line-tables-only
+        COMMAND ${CMAKE_COMMAND} -E env RUSTC_BOOTSTRAP=1 RUSTFLAGS=${flags}
                 ${TAUT_CARGO} rustc -p taut --lib --locked --crate-type cdylib
                 --target ${CMAKE_MATCH_1} --target-dir ${PROJECT_BINARY_DIR}/${name} ${ARGN}
         COMMAND ${CMAKE_COMMAND} -E create_symlink ${shared_library} ${folder}/$<TARGET_SONAME_FILE_NAME:taut::taut>
@@ -70,7 +69,9 @@ set(shared_library ${CMAKE_SHARED_LIBRARY_PREFIX}taut${CMAKE_SHARED_LIBRARY_SUFF
 
 if(TAUT_SANITIZERS)
     taut_sanitized_library(asan -Zsanitizer=address)
-    taut_contracts(_asan taut::asan 100 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined)
+    set(flags OPTIONS -g -fsanitize=address,undefined -fno-sanitize-recover=undefined)
+    taut_contracts(_asan taut::asan 100 "${contracts}" ${flags})
+    taut_program(proof_asan taut::asan 0 proof.c ${flags})
     taut_contract_tests(_asan sanitizer "${contracts}")
     taut_proof(_asan sanitizer overflow "heap-buffer-overflow.*WRITE of size 8.*taut_mesh_positions")
     taut_proof(_asan sanitizer use_after_free "heap-use-after-free.*READ of size 8.*taut_mesh_vertex_count")
@@ -81,7 +82,8 @@ if(TAUT_SANITIZERS)
     # Only "possibly" lost are the 48 bytes that Rust's standard library keeps about the main thread.
     set(valgrind ${TAUT_VALGRIND} -q --fair-sched=yes --error-exitcode=9 --leak-check=full
         --errors-for-leak-kinds=definite,indirect --show-leak-kinds=definite,indirect)
-    taut_contracts(_valgrind taut::taut 50 -g)
+    taut_contracts(_valgrind taut::taut 50 "${contracts}" OPTIONS -g)
+    taut_program(proof_valgrind taut::taut 0 proof.c OPTIONS -g)
     taut_contract_tests(_valgrind valgrind "${contracts}" ${valgrind})
     taut_proof(_valgrind valgrind overflow "Invalid write of size 8" ${valgrind})
     taut_proof(_valgrind valgrind use_after_free "Invalid read of size 8" ${valgrind})
@@ -90,7 +92,9 @@ endif()
 
 if(TAUT_RACES)
     taut_sanitized_library(tsan -Zsanitizer=thread -Zbuild-std)
-    taut_contracts(_tsan taut::tsan 50 -g -fsanitize=thread)
-    taut_contract_tests(_tsan sanitizer "control;threads;batch")
+    set(flags tsan.c OPTIONS -g -fsanitize=thread)
+    taut_contracts(_tsan taut::tsan 50 "batch;control;rows;threads" ${flags})
+    taut_contract_tests(_tsan sanitizer "batch;control;rows;threads")
+    taut_program(proof_tsan taut::tsan 0 proof.c ${flags})
     taut_proof(_tsan sanitizer race "data race")
 endif()
