@@ -44,6 +44,7 @@ static void bad_meshes(void) {
     CHECK_FAILS(taut_mesh_new(positions, bad_type, &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK(strstr(taut_last_error(NULL), "triangles.type") != NULL);
 
+    CHECK_FAILS(taut_mesh_read(NULL, &mesh), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(taut_mesh_read("/no/such/mesh.off", &mesh) == TAUT_STATUS_IO && mesh == NULL);
     CHECK_FAILS(taut_mesh_read("\xff.off", &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
 }

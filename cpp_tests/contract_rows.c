@@ -10,8 +10,11 @@
 #include <time.h>
 #include <unistd.h>
 
-/* How often each function was called. */
-static size_t *times;
+/* How many tests asked each function, and how often it was called. */
+typedef struct {
+    size_t tests, calls;
+} tally;
+static tally *tallies;
 
 static void for_each_function(void (*ask)(call *it)) {
     for (size_t i = 0; i < function_count; i++) {
@@ -19,7 +22,8 @@ static void for_each_function(void (*ask)(call *it)) {
         const int before = failures;
         prepare(&it, functions + i);
         ask(&it);
-        times[i] += it.times;
+        tallies[i].tests += it.times > 0;
+        tallies[i].calls += it.times;
         if (failures > before) fprintf(stderr, "in %s\n", functions[i].name);
     }
 }
@@ -504,17 +508,19 @@ static void every_function_was_asked(void) {
         CHECK(found);
     }
     if (symbols) fclose(symbols);
-    for (size_t i = 0; i < function_count; i++) printf("%5zu calls of %s\n", times[i], functions[i].name);
+    for (size_t i = 0; i < function_count; i++) {
+        printf("%2zu tests, %3zu calls of %s\n", tallies[i].tests, tallies[i].calls, functions[i].name);
+    }
 }
 
 static void begin(void) {
-    times = calloc(function_count, sizeof *times);
+    tallies = calloc(function_count, sizeof *tallies);
     make_handles();
 }
 
 static void end(void) {
     free_handles();
-    free(times);
+    free(tallies);
 }
 
 const test tests[] = {
