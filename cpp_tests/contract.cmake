@@ -47,7 +47,7 @@ taut_contract_tests("" contract "${contracts}")
 # taut_sanitized_library(NAME FLAGS ARGUMENT...): the library once more, with a sanitizer of Rust's; gcc brings its runtime.
 function(taut_sanitized_library name flags)
     execute_process(COMMAND rustc -vV OUTPUT_VARIABLE rustc COMMAND_ERROR_IS_FATAL ANY)
-    string(REGEX MATCH "host: ([^\\n]*)" host "${rustc}")
+    string(REGEX MATCH "host: ([^\n]*)" host "${rustc}")
     set(folder ${PROJECT_BINARY_DIR}/${name}/${CMAKE_MATCH_1}/debug)
     add_custom_target(${name}_library
         COMMAND ${CMAKE_COMMAND} -E env RUSTC_BOOTSTRAP=1 RUSTFLAGS=${flags}
