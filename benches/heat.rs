@@ -51,7 +51,7 @@ fn heat(criterion: &mut Criterion) {
         }
         let targets: Vec<Target> = (0..100).map(|i| Target::Vertex(vertex(1009 * i))).collect();
         group.bench_function("100 paths", |bencher| {
-            bencher.iter(|| taut::descent_paths(&mesh, &distances, &source, &targets));
+            bencher.iter(|| taut::descent_paths(&mesh, &distances, &source, &targets, &Control::new()));
         });
         group.finish();
     }
@@ -61,7 +61,8 @@ fn heat(criterion: &mut Criterion) {
 fn curves(mesh: &Mesh, distances: &[f64], source: &[Source]) -> [(&'static str, Vec<Source>); 2] {
     let reached = (0..).zip(distances).filter(|(_, d)| d.is_finite());
     let (farthest, d) = reached.max_by(|(_, a), (_, b)| a.total_cmp(b)).expect("a source reaches itself");
-    let paths = taut::descent_paths(mesh, distances, source, &[Target::Vertex(farthest)]).expect("its own field");
+    let paths = taut::descent_paths(mesh, distances, source, &[Target::Vertex(farthest)], &Control::new())
+        .expect("its own field");
     let lines = taut::isolines(mesh, distances, &[0.5 * d]).expect("its own field");
     [
         ("solve, path", paths.into_iter().flatten().map(|path| Source::curve(path.curve)).collect()),

@@ -20,10 +20,10 @@ static std::vector<double> our_distances(const Peers &peers, const std::vector<d
     const std::size_t count = points.size() / 3;
     std::vector<std::uint32_t> faces(count);
     std::vector<double> barycentrics(3 * count), distances(count);
-    check(taut_closest_points(closest, taut_input{points.data(), count, 0, TAUT_TYPE_F64},
-                              taut_output{faces.data(), count, 0, TAUT_TYPE_U32},
-                              taut_output{barycentrics.data(), count, 0, TAUT_TYPE_F64},
-                              taut_output{distances.data(), count, 0, TAUT_TYPE_F64}));
+    check(taut_closest_points(closest, taut_input{points.data(), count, 0, TAUT_TYPE_F64, 0}, nullptr,
+                              taut_output{faces.data(), count, 0, TAUT_TYPE_U32, 0},
+                              taut_output{barycentrics.data(), count, 0, TAUT_TYPE_F64, 0},
+                              taut_output{distances.data(), count, 0, TAUT_TYPE_F64, 0}));
     return distances;
 }
 

@@ -29,8 +29,8 @@ static bool rows_agree(const Peers &peers) {
     const taut_sources sources = from_vertices(vertices);
     const Handle<taut_exact> exact = prepared(peers);
     std::vector<double> rows(vertices.size() * n);
-    check(taut_exact_distance_rows(exact.get(), &sources, 2, nullptr,
-                                   taut_output{rows.data(), vertices.size(), 0, TAUT_TYPE_F64}));
+    check(taut_exact_distance_rows(exact.get(), &sources, taut_input{}, 2, nullptr,
+                                   taut_output{rows.data(), vertices.size(), 0, TAUT_TYPE_F64, 0}));
     const double radius = largest(rows) / 3;
     taut_sparse_distances *sparse = nullptr;
     check(taut_exact_distances_within(exact.get(), &sources, radius, 2, nullptr, &sparse));
@@ -38,9 +38,9 @@ static bool rows_agree(const Peers &peers) {
     std::vector<std::uint64_t> offsets(vertices.size() + 1), expected_offsets{0};
     std::vector<std::uint32_t> near(taut_sparse_distances_count(sparse)), expected_near;
     std::vector<double> distances(near.size()), expected_distances, expected_rows;
-    check(taut_sparse_distances_offsets(sparse, taut_output{offsets.data(), offsets.size(), 0, TAUT_TYPE_U64}));
-    check(taut_sparse_distances_vertices(sparse, taut_output{near.data(), near.size(), 0, TAUT_TYPE_U32}));
-    check(taut_sparse_distances_values(sparse, taut_output{distances.data(), near.size(), 0, TAUT_TYPE_F64}));
+    check(taut_sparse_distances_offsets(sparse, taut_output{offsets.data(), offsets.size(), 0, TAUT_TYPE_U64, 0}));
+    check(taut_sparse_distances_vertices(sparse, taut_output{near.data(), near.size(), 0, TAUT_TYPE_U32, 0}));
+    check(taut_sparse_distances_values(sparse, taut_output{distances.data(), near.size(), 0, TAUT_TYPE_F64, 0}));
 
     for (const std::uint32_t vertex : vertices) {
         const std::vector<double> row = exact_distances(peers, {vertex});
@@ -63,8 +63,8 @@ static bool farthest_points_agree(const Peers &peers) {
     std::vector<double> distances(COUNT);
     const taut_sources first = from_vertices(taken);
     check(taut_exact_farthest_points(prepared(peers).get(), &first, COUNT, nullptr,
-                                     taut_output{samples.data(), COUNT, 0, TAUT_TYPE_U32},
-                                     taut_output{distances.data(), COUNT, 0, TAUT_TYPE_F64}));
+                                     taut_output{samples.data(), COUNT, 0, TAUT_TYPE_U32, 0},
+                                     taut_output{distances.data(), COUNT, 0, TAUT_TYPE_F64, 0}));
     for (std::size_t i = 0; i < COUNT; i++) {
         const std::vector<double> all = exact_distances(peers, taken);
         const double most = *std::max_element(all.begin(), all.end());

@@ -48,7 +48,7 @@ static std::vector<double> taut_distances(const Peers &peers, taut_laplacian lap
     const std::vector<std::uint32_t> vertices{source};
     const taut_sources sources = from_vertices(vertices);
     std::vector<double> distances(peers.vertex_count());
-    const taut_output out{distances.data(), distances.size(), 0, TAUT_TYPE_F64};
+    const taut_output out{distances.data(), distances.size(), 0, TAUT_TYPE_F64, 0};
     taut_heat_field *field = nullptr;
     check(taut_heat_field_new(heat, &sources, nullptr, &field));
     const Handle<taut_heat_field> field_owner(field, taut_heat_field_free);

@@ -21,8 +21,8 @@ struct Places {
     std::vector<double> barycentrics;
 
     std::size_t count() const { return faces.size(); }
-    taut_input face_rows() const { return {faces.data(), count(), 0, TAUT_TYPE_U32}; }
-    taut_input barycentric_rows() const { return {barycentrics.data(), count(), 0, TAUT_TYPE_F64}; }
+    taut_input face_rows() const { return {faces.data(), count(), 0, TAUT_TYPE_U32, 0}; }
+    taut_input barycentric_rows() const { return {barycentrics.data(), count(), 0, TAUT_TYPE_F64, 0}; }
 };
 
 // Well inside triangles: CGAL would take a source at a vertex for one beside it.
@@ -41,7 +41,7 @@ static Places random_places(std::size_t count, std::size_t face_count, std::mt19
 // The same points for CGAL, which may begin a triangle at another corner.
 static std::vector<Paths::Face_location> for_cgal(const Peers &peers, const Places &places) {
     std::vector<std::array<std::uint32_t, 3>> triangles(taut_mesh_triangle_count(peers.taut.get()));
-    check(taut_mesh_triangles(peers.taut.get(), taut_output{triangles.data(), triangles.size(), 0, TAUT_TYPE_U32}));
+    check(taut_mesh_triangles(peers.taut.get(), taut_output{triangles.data(), triangles.size(), 0, TAUT_TYPE_U32, 0}));
     std::vector<Paths::Face_location> locations;
     for (std::size_t i = 0; i < places.count(); i++) {
         const CgalMesh::Face_index face(places.faces[i]);
@@ -68,8 +68,8 @@ struct Answers {
 static std::vector<std::vector<Kernel::Point_3>> polylines(const taut_curves *curves) {
     std::vector<std::uint32_t> offsets(taut_curves_count(curves) + 1);
     std::vector<double> xyz(3 * taut_curves_point_count(curves));
-    check(taut_curves_offsets(curves, taut_output{offsets.data(), offsets.size(), 0, TAUT_TYPE_U32}));
-    check(taut_curves_positions(curves, taut_output{xyz.data(), xyz.size() / 3, 0, TAUT_TYPE_F64}));
+    check(taut_curves_offsets(curves, taut_output{offsets.data(), offsets.size(), 0, TAUT_TYPE_U32, 0}));
+    check(taut_curves_positions(curves, taut_output{xyz.data(), xyz.size() / 3, 0, TAUT_TYPE_F64, 0}));
     std::vector<std::vector<Kernel::Point_3>> lines(offsets.size() - 1);
     for (std::size_t i = 0; i < lines.size(); i++)
         for (std::size_t p = offsets[i]; p < offsets[i + 1]; p++)
@@ -96,9 +96,9 @@ static Answers our_answers(const Peers &peers, const Places &from, const Places 
     targets.faces = to.face_rows();
     targets.barycentrics = to.barycentric_rows();
     check(taut_exact_field_distances(field, &targets,
-                                     taut_output{answers.distances.data(), to.count(), 0, TAUT_TYPE_F64}));
+                                     taut_output{answers.distances.data(), to.count(), 0, TAUT_TYPE_F64, 0}));
     check(taut_exact_field_nearest_sources(field, &targets,
-                                           taut_output{answers.nearest.data(), to.count(), 0, TAUT_TYPE_I32}));
+                                           taut_output{answers.nearest.data(), to.count(), 0, TAUT_TYPE_I32, 0}));
     taut_curves *curves = nullptr;
     check(taut_exact_field_paths(field, &targets, nullptr, &curves));
     const Handle<taut_curves> curves_owner(curves, taut_curves_free);

@@ -32,6 +32,8 @@ static const uint32_t corners[] = {0, 1, 3, 1, 2, 3};
 static const taut_input positions = {.data = xyz, .count = 5};
 static const taut_input triangles = {.data = corners, .count = 2};
 static const uint32_t zero = 0;
+/* Each source makes a set of its own. */
+static const taut_input each = {0};
 /* Of each vertex, its distance along x; none for the last. */
 static const double along_x[] = {0, 3, 3, 0, INFINITY};
 static const taut_input values = {.data = along_x, .count = 5};
@@ -142,7 +144,7 @@ static void null_is_an_error(void) {
     CHECK(heat_field == NULL);
     CHECK_FAILS(taut_heat_field_distances(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_heat_field_nearest_sources(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_heat_distance_rows(NULL, &from_zero, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_distance_rows(NULL, &from_zero, each, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_heat_report_of(NULL, &heat_report), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_mesh_with_positions(NULL, positions, &mesh), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_time_step_value(NULL, step, &t), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -150,7 +152,7 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_control_set_time_limit(NULL, 1), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_control_set_memory_limit(NULL, 1), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_control_set_callback(NULL, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_field_interruption(NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_field_interruption(NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_exact_field_nearest_sources(NULL, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_exact_field_paths(NULL, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(curves == NULL);
@@ -158,7 +160,7 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_isolines_new(NULL, values, values, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(curves == NULL);
     curves = (taut_curves *)&failures;
-    CHECK_FAILS(taut_descent_paths_new(NULL, values, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_descent_paths_new(NULL, values, NULL, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(curves == NULL);
     CHECK_FAILS(taut_curves_offsets(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_curves_positions(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -168,7 +170,7 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_curves_levels(NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_closest_new(NULL, &closest), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(closest == NULL);
-    CHECK_FAILS(taut_closest_points(NULL, positions, out, out, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_closest_points(NULL, positions, NULL, out, out, out), TAUT_REASON_NULL_POINTER, 0, 0);
 
     mesh = rectangle();
     CHECK_FAILS(taut_time_step_value(mesh, step, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
@@ -181,10 +183,10 @@ static void null_is_an_error(void) {
     CHECK_FAILS(taut_isolines_new(mesh, values, (taut_input){.count = 1}, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK(strstr(taut_last_error(NULL), "levels") != NULL);
     CHECK_FAILS(taut_isolines_new(mesh, values, values, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_descent_paths_new(mesh, (taut_input){.count = 5}, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0,
+    CHECK_FAILS(taut_descent_paths_new(mesh, (taut_input){.count = 5}, NULL, NULL, NULL, &curves), TAUT_REASON_NULL_POINTER, 0,
                 0);
     CHECK(strstr(taut_last_error(NULL), "values") != NULL);
-    CHECK_FAILS(taut_descent_paths_new(mesh, values, NULL, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_descent_paths_new(mesh, values, NULL, NULL, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     CHECK_FAILS(taut_closest_new(mesh, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
     taut_mesh_free(mesh);
 
@@ -495,7 +497,7 @@ static void cancelled_before_the_start(void) {
     taut_heat_field *heat_field = (taut_heat_field *)&failures;
     CHECK(taut_heat_field_new(heat, &from_zero, control, &heat_field) == TAUT_STATUS_CANCELLED && heat_field == NULL);
     const taut_output out = {.data = d, .count = 1, .stride = sizeof d};
-    CHECK(taut_heat_distance_rows(heat, &from_zero, 1, control, out) == TAUT_STATUS_CANCELLED);
+    CHECK(taut_heat_distance_rows(heat, &from_zero, each, 1, control, out) == TAUT_STATUS_CANCELLED);
     CHECK(taut_heat_with_mesh(heat, mesh, control, &again) == TAUT_STATUS_CANCELLED && again == NULL);
     for (size_t v = 0; v < 5; v++) CHECK(d[v] == -1);
     taut_control_free(control);
@@ -510,7 +512,7 @@ static void a_radius(void) {
     double d[5];
     taut_exact_options options = {.struct_size = sizeof options, .radius = 4};
     CHECK(taut_exact_field_new(exact, &from_zero, &options, NULL, &field) == TAUT_STATUS_OK);
-    CHECK(taut_exact_field_final_radius(field) == 4 && taut_exact_field_interruption(field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_final_radius(field) == 4 && taut_exact_field_interruption(field, NULL) == TAUT_STATUS_OK);
     CHECK(taut_exact_field_distances(field, NULL, (taut_output){.data = d, .count = 5}) == TAUT_STATUS_OK);
     CHECK(d[0] == 0 && d[1] == 3 && d[2] == INFINITY && d[3] == 4 && d[4] == INFINITY);
     taut_exact_field_free(field);
@@ -589,7 +591,7 @@ static void check_interrupted(job *it, taut_status why) {
     } else {
         double radius = taut_exact_field_final_radius(it->field);
         size_t known = 0;
-        CHECK(it->status == TAUT_STATUS_OK && taut_exact_field_interruption(it->field) == why);
+        CHECK(it->status == TAUT_STATUS_OK && taut_exact_field_interruption(it->field, NULL) == why);
         CHECK(radius < INFINITY);
         CHECK(taut_exact_field_distances(it->field, NULL, (taut_output){.data = d, .count = HILL_VERTICES}) ==
               TAUT_STATUS_OK);
@@ -692,7 +694,7 @@ static void limits(const taut_exact *exact) {
     CHECK_FAILS(taut_control_set_time_limit(it.control, -1), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK_FAILS(taut_control_set_time_limit(it.control, NAN), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     work(&it);
-    CHECK(it.status == TAUT_STATUS_OK && taut_exact_field_interruption(it.field) == TAUT_STATUS_OK);
+    CHECK(it.status == TAUT_STATUS_OK && taut_exact_field_interruption(it.field, NULL) == TAUT_STATUS_OK);
     taut_exact_field_free(it.field);
     CHECK(taut_control_set_time_limit(it.control, INFINITY) == TAUT_STATUS_OK);
     CHECK(taut_control_set_time_limit(it.control, 1e300) == TAUT_STATUS_OK);
@@ -832,12 +834,12 @@ static void heat_fields(void) {
     taut_heat_field_free(field);
 
     const taut_output to_rows = {.data = rows, .count = 2, .stride = sizeof rows[0]};
-    CHECK(taut_heat_distance_rows(heat, &from, 2, NULL, to_rows) == TAUT_STATUS_OK);
+    CHECK(taut_heat_distance_rows(heat, &from, each, 2, NULL, to_rows) == TAUT_STATUS_OK);
     for (size_t i = 0; i < 2; i++) {
         const taut_sources one = {.struct_size = sizeof one, .vertices = {.data = ends + i, .count = 1}};
         CHECK(heat_distances(heat, &one, d) == TAUT_STATUS_OK && memcmp(d, rows[i], sizeof d) == 0);
     }
-    CHECK_FAILS(taut_heat_distance_rows(heat, &from, 2, NULL, (taut_output){.data = rows, .count = 1}),
+    CHECK_FAILS(taut_heat_distance_rows(heat, &from, each, 2, NULL, (taut_output){.data = rows, .count = 1}),
                 TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
 
     taut_heat_report report = {.struct_size = sizeof report};
@@ -1075,7 +1077,7 @@ static void closest_points(void) {
     const float points[] = {1, 1, 2, 1.5f, 2, -1, 5, 3, 0, -3, -4, 0};
     uint16_t faces[4];
     double w[12], d[4];
-    CHECK(taut_closest_points(closest, (taut_input){.data = points, .count = 4, .type = TAUT_TYPE_F32},
+    CHECK(taut_closest_points(closest, (taut_input){.data = points, .count = 4, .type = TAUT_TYPE_F32}, NULL,
                               (taut_output){.data = faces, .count = 4, .type = TAUT_TYPE_U16},
                               (taut_output){.data = w, .count = 4},
                               (taut_output){.data = d, .count = 4}) == TAUT_STATUS_OK);
@@ -1085,7 +1087,7 @@ static void closest_points(void) {
     CHECK(w[3] == 0 && w[4] == 0.5 && w[5] == 0.5);
     CHECK(w[6] == 0.25 && w[7] == 0.75 && w[8] == 0);
     CHECK(w[9] == 1 && w[10] == 0 && w[11] == 0);
-    CHECK(taut_closest_points(closest, (taut_input){0}, (taut_output){0}, (taut_output){0}, (taut_output){0}) ==
+    CHECK(taut_closest_points(closest, (taut_input){0}, NULL, (taut_output){0}, (taut_output){0}, (taut_output){0}) ==
           TAUT_STATUS_OK);
     taut_closest_free(closest);
 
@@ -1107,17 +1109,17 @@ static void closest_points_fill_all_views_or_none(void) {
     const taut_output faces = {.data = f, .count = 2}, weights = {.data = w, .count = 2}, far = {.data = d, .count = 2};
     taut_output bad = faces;
     bad.count = 1;
-    CHECK_FAILS(taut_closest_points(closest, from, bad, weights, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_closest_points(closest, from, NULL, bad, weights, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     bad = weights;
     bad.count = 1;
-    CHECK_FAILS(taut_closest_points(closest, from, faces, bad, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_closest_points(closest, from, NULL, faces, bad, far), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     CHECK(strstr(taut_last_error(NULL), "barycentrics") != NULL);
     bad = far;
     bad.type = TAUT_TYPE_U32;
-    CHECK_FAILS(taut_closest_points(closest, from, faces, weights, bad), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_closest_points(closest, from, NULL, faces, weights, bad), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK(strstr(taut_last_error(NULL), "distances") != NULL);
     points[5] = NAN;
-    CHECK_FAILS(taut_closest_points(closest, from, faces, weights, far), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT,
+    CHECK_FAILS(taut_closest_points(closest, from, NULL, faces, weights, far), TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT,
                 1);
     CHECK(f[0] == 77 && f[1] == 77 && d[0] == -1 && d[1] == -1);
     for (size_t i = 0; i < 6; i++) CHECK(w[i] == -1);
@@ -1128,6 +1130,10 @@ static void closest_points_fill_all_views_or_none(void) {
 static taut_input scalars(const double *data, size_t count) { return (taut_input){.data = data, .count = count}; }
 
 static taut_input indices(const uint32_t *data, size_t count) { return (taut_input){.data = data, .count = count}; }
+
+static taut_input typed_input(const void *data, size_t count, taut_type type) {
+    return (taut_input){.data = data, .count = count, .type = type};
+}
 
 static taut_output room(double *data, size_t count) { return (taut_output){.data = data, .count = count}; }
 
@@ -1497,7 +1503,7 @@ static void paths_of_descent(void) {
     /* Along the upper side; from where nothing is lower; from a vertex of no triangle; along the lower side. */
     const uint32_t targets[] = {2, 0, 4, 1}, beyond[] = {0, 5};
     taut_curves *curves = NULL;
-    CHECK(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(targets, 4)), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(targets, 4)), NULL, &curves) == TAUT_STATUS_OK);
     CHECK(taut_curves_count(curves) == 4 && taut_curves_point_count(curves) == 5);
     drawing it = drawn(curves);
     CHECK(it.offsets[0] == 0 && it.offsets[1] == 2 && it.offsets[2] == 3 && it.offsets[3] == 3 && it.offsets[4] == 5);
@@ -1506,7 +1512,7 @@ static void paths_of_descent(void) {
     CHECK(is_at(it.positions + 6, 0, 0) && is_at(it.positions + 9, 3, 0) && is_at(it.positions + 12, 0, 0));
 
     /* All vertices; four of them have paths. */
-    CHECK(taut_descent_paths_new(mesh, values, NULL, NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, values, NULL, NULL, NULL, &curves) == TAUT_STATUS_OK);
     CHECK(taut_curves_count(curves) == 5 && taut_curves_point_count(curves) == 6);
     taut_curves_free(curves);
 
@@ -1516,22 +1522,22 @@ static void paths_of_descent(void) {
     const taut_input distances = {.data = from_middle, .count = 5};
     const taut_sources source = {
         .struct_size = sizeof source, .faces = indices(&zero, 1), .barycentrics = scalars(middle, 1)};
-    CHECK(taut_descent_paths_new(mesh, distances, &source, VERTICES(indices(targets, 1)), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, distances, &source, VERTICES(indices(targets, 1)), NULL, &curves) == TAUT_STATUS_OK);
     CHECK(taut_curves_point_count(curves) == 3);
     it = drawn(curves);
     CHECK(is_at(it.positions, 3, 4) && is_at(it.positions + 6, 0.75, 1) && it.faces[2] == 0);
-    CHECK(taut_descent_paths_new(mesh, distances, NULL, VERTICES(indices(targets, 1)), &curves) == TAUT_STATUS_OK);
+    CHECK(taut_descent_paths_new(mesh, distances, NULL, VERTICES(indices(targets, 1)), NULL, &curves) == TAUT_STATUS_OK);
     it = drawn(curves);
     CHECK(it.offsets[1] > 1 && is_at(it.positions + 3 * (it.offsets[1] - 1), 0, 0));
 
     curves = (taut_curves *)&failures; /* must be overwritten */
     const taut_input four = {.data = along_x, .count = 4};
-    CHECK_FAILS(taut_descent_paths_new(mesh, four, NULL, NULL, &curves), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_descent_paths_new(mesh, four, NULL, NULL, NULL, &curves), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     CHECK(curves == NULL);
-    CHECK_FAILS(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(beyond, 2)), &curves),
+    CHECK_FAILS(taut_descent_paths_new(mesh, values, NULL, VERTICES(indices(beyond, 2)), NULL, &curves),
                 TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_ELEMENT_TARGET, 1);
     const taut_sources outside = {.struct_size = sizeof outside, .vertices = indices(beyond, 2)};
-    CHECK_FAILS(taut_descent_paths_new(mesh, values, &outside, NULL, &curves), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+    CHECK_FAILS(taut_descent_paths_new(mesh, values, &outside, NULL, NULL, &curves), TAUT_REASON_VERTEX_OUT_OF_RANGE,
                 TAUT_ELEMENT_SOURCE, 1);
     taut_mesh_free(mesh);
 }
@@ -1574,7 +1580,7 @@ static void from_click_to_click(void) {
     const double clicks[] = {0.75, 1, 9, 2.25, 3, -9};
     uint32_t faces[2];
     double weights[6], off[2];
-    taut_status status = taut_closest_points(closest, scalars(clicks, 2), (taut_output){.data = faces, .count = 2},
+    taut_status status = taut_closest_points(closest, scalars(clicks, 2), NULL, (taut_output){.data = faces, .count = 2},
                                              room(weights, 2), room(off, 2));
     const taut_sources click = {
         .struct_size = sizeof click, .faces = indices(faces, 1), .barycentrics = scalars(weights, 1)};
@@ -1620,7 +1626,7 @@ static void distance_rows(void) {
     const size_t threads[] = {0, 1, 2, 8, SIZE_MAX};
     for (size_t t = 0; t < 5; t++) {
         for (size_t i = 0; i < 20; i++) d[i] = -1;
-        CHECK(taut_exact_distance_rows(exact, &from, threads[t], NULL, room(d, 4)) == TAUT_STATUS_OK);
+        CHECK(taut_exact_distance_rows(exact, &from, each, threads[t], NULL, room(d, 4)) == TAUT_STATUS_OK);
         CHECK(memcmp(d, expected, sizeof expected) == 0);
         for (size_t v = 15; v < 20; v++) CHECK(d[v] == -1);
     }
@@ -1630,7 +1636,7 @@ static void distance_rows(void) {
     memset(bytes, 0xab, sizeof bytes);
     const size_t stride = 5 * sizeof(float) + GAP;
     const taut_output packed = {.data = bytes + 1, .count = 3, .stride = stride, .type = TAUT_TYPE_F32};
-    CHECK(taut_exact_distance_rows(exact, &from, 1, NULL, packed) == TAUT_STATUS_OK);
+    CHECK(taut_exact_distance_rows(exact, &from, each, 1, NULL, packed) == TAUT_STATUS_OK);
     CHECK(bytes[0] == 0xab);
     for (size_t i = 0; i < 3; i++) {
         for (size_t v = 0; v < 5; v++) {
@@ -1643,7 +1649,7 @@ static void distance_rows(void) {
 
     /* No source has no rows. */
     const taut_sources none = {.struct_size = sizeof none};
-    CHECK(taut_exact_distance_rows(exact, &none, 8, NULL, (taut_output){0}) == TAUT_STATUS_OK);
+    CHECK(taut_exact_distance_rows(exact, &none, each, 8, NULL, (taut_output){0}) == TAUT_STATUS_OK);
     taut_exact_free(exact);
 }
 
@@ -1653,35 +1659,35 @@ static void distance_rows_all_or_none(void) {
     double d[15];
     for (size_t i = 0; i < 15; i++) d[i] = -1;
     taut_output out = room(d, 3);
-    CHECK_FAILS(taut_exact_distance_rows(NULL, &from, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, NULL, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, (taut_output){.count = 3}), TAUT_REASON_NULL_POINTER, 0,
+    CHECK_FAILS(taut_exact_distance_rows(NULL, &from, each, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, NULL, each, 1, NULL, out), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, (taut_output){.count = 3}), TAUT_REASON_NULL_POINTER, 0,
                 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, room(d, 2)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, (taut_output){0}), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, room(d, 2)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, (taut_output){0}), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
     out.stride = 4 * sizeof *d; /* a row has five */
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
     out = typed(d, 3, TAUT_TYPE_I32);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
 
     /* More bytes than can be counted, or than there can be. */
     const size_t huge[] = {SIZE_MAX, SIZE_MAX / 8 / 5 + 1, PTRDIFF_MAX / 8 / 5 + 1};
     for (size_t i = 0; i < 3; i++) {
-        CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, room(d, huge[i])), TAUT_REASON_TOO_MANY_ELEMENTS, 0,
+        CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, room(d, huge[i])), TAUT_REASON_TOO_MANY_ELEMENTS, 0,
                     0);
     }
     out = room(d, 3);
     out.stride = SIZE_MAX;
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 1, NULL, out), TAUT_REASON_TOO_MANY_ELEMENTS, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 1, NULL, out), TAUT_REASON_TOO_MANY_ELEMENTS, 0, 0);
 
     const uint32_t beyond[] = {0, 5};
     from.vertices = indices(beyond, 2);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, NULL, room(d, 3)), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 2, NULL, room(d, 3)), TAUT_REASON_VERTEX_OUT_OF_RANGE,
                 TAUT_ELEMENT_SOURCE, 1);
     from = row_sources();
     const double bad_offsets[] = {0, 0, NAN};
     from.offsets = scalars(bad_offsets, 3);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, NULL, room(d, 3)), TAUT_REASON_BAD_ARGUMENT,
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 2, NULL, room(d, 3)), TAUT_REASON_BAD_ARGUMENT,
                 TAUT_ELEMENT_SOURCE, 2);
     for (size_t i = 0; i < 15; i++) CHECK(d[i] == -1);
     taut_exact_free(exact);
@@ -1819,7 +1825,7 @@ static void long_batches(void) {
     const size_t threads[] = {1, 2, 8};
     for (size_t t = 0; t < 3; t++) {
         memset(rows, 0xff, size);
-        CHECK(taut_exact_distance_rows(exact, &from, threads[t], NULL, room(rows, ROWS)) == TAUT_STATUS_OK);
+        CHECK(taut_exact_distance_rows(exact, &from, each, threads[t], NULL, room(rows, ROWS)) == TAUT_STATUS_OK);
         CHECK(memcmp(rows, expected, size) == 0);
     }
 
@@ -1835,7 +1841,7 @@ static void long_batches(void) {
             CHECK(taut_control_new(controls + i) == TAUT_STATUS_OK);
             CHECK(taut_control_set_callback(controls[i], watch, seen + i) == TAUT_STATUS_OK);
         }
-        CHECK_FAILS(taut_exact_distance_rows(exact, &from, threads[t], controls[0], room(rows, ROWS)),
+        CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, threads[t], controls[0], room(rows, ROWS)),
                     TAUT_REASON_CANCELLED, 0, 0);
         CHECK_FAILS(taut_exact_distances_within(exact, &from, 200, threads[t], controls[1], &sparse),
                     TAUT_REASON_CANCELLED, 0, 0);
@@ -1852,15 +1858,359 @@ static void long_batches(void) {
 
     taut_control *small = NULL;
     CHECK(taut_control_new(&small) == TAUT_STATUS_OK && taut_control_set_memory_limit(small, 1) == TAUT_STATUS_OK);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, small, room(rows, ROWS)), TAUT_REASON_MEMORY_LIMIT, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 2, small, room(rows, ROWS)), TAUT_REASON_MEMORY_LIMIT, 0, 0);
     CHECK_FAILS(taut_exact_distances_within(exact, &from, 5, 2, small, &sparse), TAUT_REASON_MEMORY_LIMIT, 0, 0);
     CHECK(taut_control_set_memory_limit(small, 0) == TAUT_STATUS_OK);
     CHECK(taut_control_set_time_limit(small, 0.01) == TAUT_STATUS_OK);
-    CHECK_FAILS(taut_exact_distance_rows(exact, &from, 2, small, room(rows, ROWS)), TAUT_REASON_TIME_LIMIT, 0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, each, 2, small, room(rows, ROWS)), TAUT_REASON_TIME_LIMIT, 0, 0);
     taut_control_free(small);
     free(rows);
     free(expected);
     taut_exact_free(exact);
+}
+
+/* A size that was never set is found, in structs that are read and in those that are filled. */
+static void sizes_that_were_never_set(void) {
+    taut_mesh *mesh = rectangle();
+    taut_exact *exact = exact_rectangle();
+    taut_exact_field *field = NULL;
+    const size_t sizes[] = {0, sizeof(size_t) - 1, 4097, SIZE_MAX / 2, SIZE_MAX};
+    for (size_t i = 0; i < 5; i++) {
+        taut_sources from = from_zero;
+        from.struct_size = sizes[i];
+        CHECK_FAILS(taut_exact_field_new(exact, &from, NULL, NULL, &field), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+        CHECK(strstr(taut_last_error(NULL), "sources.struct_size") != NULL);
+        taut_properties properties = {.mean_edge = -1};
+        properties.struct_size = sizes[i];
+        CHECK_FAILS(taut_mesh_properties(mesh, &properties), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+        CHECK(properties.struct_size == sizes[i] && properties.mean_edge == -1);
+        taut_error error = {.struct_size = sizes[i], .reason = -1};
+        taut_last_error(&error); /* which tells no one */
+        CHECK(error.reason == -1);
+    }
+    taut_exact_free(exact);
+    taut_mesh_free(mesh);
+}
+
+static void what_is_reserved_is_zero(void) {
+    taut_mesh *mesh = NULL;
+    double d[15] = {-1};
+    taut_input in = positions;
+    taut_output out = room(d, 5);
+    in.reserved = 1;
+    CHECK_FAILS(taut_mesh_new(in, triangles, &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(strstr(taut_last_error(NULL), "positions.reserved") != NULL);
+    mesh = rectangle();
+    out.reserved = 1;
+    CHECK_FAILS(taut_mesh_positions(mesh, out), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(d[0] == -1);
+    taut_mesh_free(mesh);
+}
+
+static void what_interrupted_a_field(void) {
+    taut_exact *exact = exact_rectangle();
+    taut_exact_field *field = NULL;
+    taut_control *control = NULL;
+    taut_exact_options options = {.struct_size = sizeof options, .allow_partial = 1};
+    taut_error detail = {.struct_size = sizeof detail, .reason = -1};
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_new(exact, &from_zero, &options, control, &field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_interruption(field, &detail) == TAUT_STATUS_OK && detail.status == 0 && detail.reason == 0);
+    CHECK(taut_exact_field_windows(field) > 0 && taut_exact_field_windows(NULL) == 0);
+    taut_exact_field_free(field);
+
+    CHECK(taut_control_set_memory_limit(control, 1) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_new(exact, &from_zero, &options, control, &field) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_interruption(field, &detail) == TAUT_STATUS_LIMIT_REACHED);
+    CHECK(detail.status == TAUT_STATUS_LIMIT_REACHED && detail.reason == TAUT_REASON_MEMORY_LIMIT);
+    detail.struct_size = 0;
+    CHECK(taut_exact_field_interruption(field, &detail) == TAUT_STATUS_INVALID_ARGUMENT);
+    CHECK(last_is(TAUT_REASON_BAD_ARGUMENT, 0, 0));
+    taut_exact_field_free(field);
+    taut_control_free(control);
+    taut_exact_free(exact);
+}
+
+static void residuals(void) {
+    taut_mesh *mesh = rectangle();
+    taut_heat *heat = NULL;
+    taut_control *control = NULL;
+    struct {
+        taut_heat_residuals known;
+        uint64_t newer;
+    } out;
+    memset(&out, 0xff, sizeof out);
+    CHECK(taut_heat_new(mesh, NULL, NULL, &heat) == TAUT_STATUS_OK);
+    out.known.struct_size = offsetof(taut_heat_residuals, poisson); /* older */
+    CHECK(taut_heat_residuals_of(heat, &from_zero, NULL, &out.known) == TAUT_STATUS_OK);
+    CHECK(out.known.heat >= 0 && out.known.heat < 1e-12 && isnan(out.known.poisson));
+    out.known.struct_size = sizeof out; /* newer */
+    CHECK(taut_heat_residuals_of(heat, &from_zero, NULL, &out.known) == TAUT_STATUS_OK);
+    CHECK(out.known.poisson >= 0 && out.known.poisson < 1e-12 && out.newer == 0);
+
+    out.known.heat = -1;
+    const taut_sources none = {.struct_size = sizeof none};
+    CHECK_FAILS(taut_heat_residuals_of(NULL, &from_zero, NULL, &out.known), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_residuals_of(heat, NULL, NULL, &out.known), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_residuals_of(heat, &from_zero, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_heat_residuals_of(heat, &none, NULL, &out.known), TAUT_REASON_NO_SOURCE, 0, 0);
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    taut_control_cancel(control);
+    CHECK_FAILS(taut_heat_residuals_of(heat, &from_zero, control, &out.known), TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(out.known.heat == -1);
+    taut_control_free(control);
+    taut_heat_free(heat);
+    taut_mesh_free(mesh);
+}
+
+static void levels_of_lines(void) {
+    taut_mesh *mesh = rectangle();
+    double levels[4] = {-1, -1, -1, -1};
+    size_t count = 77;
+    CHECK(taut_even_levels(mesh, values, 2, room(levels, 4), &count) == TAUT_STATUS_OK);
+    CHECK(count == 2 && levels[0] == 1 && levels[1] == 2 && levels[2] == -1);
+    float single[2];
+    CHECK(taut_spaced_levels(mesh, values, 1.25, typed(single, 2, TAUT_TYPE_F32), &count) == TAUT_STATUS_OK);
+    CHECK(count == 2 && single[0] == 1.25f && single[1] == 2.5f);
+    CHECK(taut_even_levels(mesh, values, 0, (taut_output){0}, &count) == TAUT_STATUS_OK && count == 0);
+    CHECK(taut_spaced_levels(mesh, values, 10, (taut_output){0}, &count) == TAUT_STATUS_OK && count == 0);
+
+    count = 77;
+    levels[0] = -1;
+    const taut_input four = scalars(along_x, 4);
+    const double bad_spacings[] = {0, -1, NAN, INFINITY, 1e-9};
+    CHECK_FAILS(taut_even_levels(NULL, values, 2, room(levels, 4), &count), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, values, 2, room(levels, 4), NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, values, 2, room(levels, 1), &count), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, values, TAUT_MAX_LEVELS + 1, room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT,
+                0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, values, SIZE_MAX, room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_even_levels(mesh, four, 2, room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_spaced_levels(NULL, values, 1, room(levels, 4), &count), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_spaced_levels(mesh, values, 1, room(levels, 4), NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_spaced_levels(mesh, values, 1, room(levels, 1), &count), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_spaced_levels(mesh, four, 1, room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    for (size_t i = 0; i < 5; i++)
+        CHECK_FAILS(taut_spaced_levels(mesh, values, bad_spacings[i], room(levels, 4), &count), TAUT_REASON_BAD_ARGUMENT,
+                    0, 0);
+    CHECK(count == 77 && levels[0] == -1);
+    taut_mesh_free(mesh);
+}
+
+/* From (0, 0) to (3, 4) over the diagonal, and on to (3, 0): then distances from all of that. */
+static void a_curve_through_points(void) {
+    taut_exact *exact = exact_rectangle();
+    taut_curves *curves = NULL;
+    taut_control *control = NULL;
+    uint32_t faces[] = {0, 1, 0, 0}, begins[2];
+    const double weights[] = {1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0};
+    double d[5];
+    CHECK(taut_exact_curve_through(exact, indices(faces, 4), scalars(weights, 4), NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_count(curves) == 1 && taut_curves_point_count(curves) == 4);
+    uint32_t through[4], source = 77;
+    double at[3 * 4];
+    CHECK(taut_curves_offsets(curves, (taut_output){.data = begins, .count = 2}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_faces(curves, (taut_output){.data = through, .count = 4}) == TAUT_STATUS_OK);
+    CHECK(taut_curves_barycentrics(curves, room(at, 4)) == TAUT_STATUS_OK);
+    CHECK(taut_curves_sources(curves, (taut_output){.data = &source, .count = 1}) == TAUT_STATUS_OK);
+    CHECK(source == UINT32_MAX);
+    const taut_sources line = {.struct_size = sizeof line,
+                               .curve_offsets = indices(begins, 2),
+                               .curve_faces = indices(through, 4),
+                               .curve_barycentrics = scalars(at, 4)};
+    CHECK(field_of(exact, &line, d) == TAUT_STATUS_OK);
+    CHECK(d[0] == 0 && d[1] == 0 && d[2] == 0 && fabs(d[3] - 2.4) < 1e-15);
+    const drawing it = drawn(curves);
+    CHECK(is_at(it.positions, 0, 0) && is_at(it.positions + 3, 1.5, 2) && is_at(it.positions + 6, 3, 4));
+    CHECK(is_at(it.positions + 9, 3, 0));
+
+    CHECK(taut_exact_curve_through(exact, each, each, NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_count(curves) == 1 && taut_curves_point_count(curves) == 0);
+    taut_curves_free(curves);
+
+    CHECK_FAILS(taut_exact_curve_through(NULL, each, each, NULL, &curves), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_exact_curve_through(exact, each, each, NULL, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+    curves = (taut_curves *)&failures; /* must be overwritten */
+    CHECK_FAILS(taut_exact_curve_through(exact, indices(faces, 4), scalars(weights, 3), NULL, &curves),
+                TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK(curves == NULL && strstr(taut_last_error(NULL), "`faces`") != NULL);
+    faces[2] = 2;
+    CHECK_FAILS(taut_exact_curve_through(exact, indices(faces, 4), scalars(weights, 4), NULL, &curves),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 2);
+    const int64_t negative[] = {0, -1};
+    CHECK_FAILS(taut_exact_curve_through(exact, (taut_input){.data = negative, .count = 2, .type = TAUT_TYPE_I64},
+                                         scalars(weights, 2), NULL, &curves),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 1);
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    taut_control_cancel(control);
+    CHECK_FAILS(taut_exact_curve_through(exact, indices(faces, 2), scalars(weights, 2), control, &curves),
+                TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(curves == NULL);
+    taut_control_free(control);
+    taut_exact_free(exact);
+}
+
+/* {0, inside}, {2}: by both methods, the same as each set alone. */
+static void rows_of_sets(void) {
+    taut_mesh *mesh = rectangle();
+    taut_exact *exact = exact_rectangle();
+    taut_heat *heat = NULL;
+    CHECK(taut_heat_new(mesh, NULL, NULL, &heat) == TAUT_STATUS_OK);
+    const uint32_t vertices[] = {2, 0};
+    const int64_t offsets[] = {0, 1, 3};
+    const taut_input sets = {.data = offsets, .count = 3, .type = TAUT_TYPE_I64};
+    const taut_sources from = {.struct_size = sizeof from,
+                               .vertices = indices(vertices, 2),
+                               .faces = indices(two_faces, 1),
+                               .barycentrics = scalars(inside, 1)},
+                       first = {.struct_size = sizeof first, .vertices = indices(vertices, 1)};
+    taut_sources second = from;
+    second.vertices = indices(vertices + 1, 1);
+    double rows[2 * 5], expected[2 * 5];
+    CHECK(field_of(exact, &first, expected) == TAUT_STATUS_OK && field_of(exact, &second, expected + 5) == TAUT_STATUS_OK);
+    CHECK(taut_exact_distance_rows(exact, &from, sets, 2, NULL, room(rows, 2)) == TAUT_STATUS_OK);
+    CHECK(memcmp(rows, expected, sizeof rows) == 0);
+    CHECK(heat_distances(heat, &first, expected) == TAUT_STATUS_OK);
+    CHECK(heat_distances(heat, &second, expected + 5) == TAUT_STATUS_OK);
+    CHECK(taut_heat_distance_rows(heat, &from, sets, 2, NULL, room(rows, 2)) == TAUT_STATUS_OK);
+    CHECK(memcmp(rows, expected, sizeof rows) == 0);
+
+    const taut_sources none = {.struct_size = sizeof none};
+    const uint32_t only_end[] = {0}, from_one[] = {1, 3}, short_of[] = {0, 2}, back[] = {0, 2, 1, 3}, empty[] = {0, 0, 3};
+    CHECK(taut_exact_distance_rows(exact, &none, indices(only_end, 1), 1, NULL, (taut_output){0}) == TAUT_STATUS_OK);
+    memset(rows, 0xff, sizeof rows);
+    memset(expected, 0xff, sizeof expected);
+    const taut_input bad[] = {indices(only_end, 1), indices(from_one, 2), indices(short_of, 2), indices(back, 4),
+                              typed_input(offsets, 3, TAUT_TYPE_F64)};
+    for (size_t i = 0; i < 5; i++) {
+        CHECK_FAILS(taut_exact_distance_rows(exact, &from, bad[i], 1, NULL, room(rows, 2)), TAUT_REASON_BAD_ARGUMENT, 0,
+                    0);
+        CHECK(strstr(taut_last_error(NULL), "`set_offsets") != NULL);
+        CHECK_FAILS(taut_heat_distance_rows(heat, &from, bad[i], 1, NULL, room(rows, 2)), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    }
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, indices(empty, 3), 1, NULL, room(rows, 2)), TAUT_REASON_NO_SOURCE,
+                0, 0);
+    CHECK_FAILS(taut_exact_distance_rows(exact, &from, sets, 1, NULL, room(rows, 1)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    const uint32_t beyond[] = {2, 5};
+    second.vertices = indices(beyond, 2); /* the first of the second set */
+    CHECK_FAILS(taut_heat_distance_rows(heat, &second, sets, 1, NULL, room(rows, 2)), TAUT_REASON_VERTEX_OUT_OF_RANGE,
+                TAUT_ELEMENT_SOURCE, 1);
+    CHECK(memcmp(rows, expected, sizeof rows) == 0);
+    taut_heat_free(heat);
+    taut_exact_free(exact);
+    taut_mesh_free(mesh);
+}
+
+static void meshes_from_memory(void) {
+    static const char off[] = "OFF\n3 1 0\n0 0 0\n3 0 0\n0 4 0\n3 0 1 2\n", obj[] = "v 0 0 0\nv 3 0 0\nv 0 4 0\nf 1 2 3\n";
+    taut_mesh *mesh = NULL;
+    CHECK(taut_mesh_read_bytes(off, sizeof off - 1, TAUT_FORMAT_OFF, &mesh) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_vertex_count(mesh) == 3 && taut_mesh_triangle_count(mesh) == 1);
+    taut_mesh_free(mesh);
+    CHECK(taut_mesh_read_bytes(obj, sizeof obj - 1, TAUT_FORMAT_OBJ, &mesh) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_vertex_count(mesh) == 3 && taut_mesh_triangle_count(mesh) == 1);
+    taut_mesh_free(mesh);
+
+    mesh = (taut_mesh *)&failures; /* must be overwritten */
+    CHECK_FAILS(taut_mesh_read_bytes(off, sizeof off - 9, TAUT_FORMAT_OFF, &mesh), TAUT_REASON_TRUNCATED,
+                TAUT_ELEMENT_FACE, 0);
+    CHECK(mesh == NULL);
+    for (taut_format format = TAUT_FORMAT_GLB; format <= TAUT_FORMAT_STL; format++)
+        CHECK(taut_mesh_read_bytes(NULL, 0, format, &mesh) == TAUT_STATUS_FORMAT && mesh == NULL);
+    CHECK_FAILS(taut_mesh_read_bytes(off, sizeof off, 0, &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_mesh_read_bytes(off, sizeof off, TAUT_FORMAT_STL + 1, &mesh), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_mesh_read_bytes(NULL, 1, TAUT_FORMAT_OFF, &mesh), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_mesh_read_bytes(off, SIZE_MAX, TAUT_FORMAT_OFF, &mesh), TAUT_REASON_TOO_MANY_ELEMENTS, 0, 0);
+    CHECK_FAILS(taut_mesh_read_bytes(off, sizeof off, TAUT_FORMAT_OFF, NULL), TAUT_REASON_NULL_POINTER, 0, 0);
+}
+
+static void positions_of_points(void) {
+    taut_mesh *mesh = rectangle();
+    const uint32_t beyond[] = {1, 2};
+    const int32_t negative[] = {1, -1};
+    double at[6] = {-1, -1, -1, -1, -1, -1};
+    float strided[8] = {0, 0, 0, 7, 0, 0, 0, 7};
+    const taut_output to_strided = {.data = strided, .count = 2, .stride = 16, .type = TAUT_TYPE_F32};
+    CHECK_FAILS(taut_mesh_point_positions(NULL, each, each, (taut_output){0}), TAUT_REASON_NULL_POINTER, 0, 0);
+    CHECK_FAILS(taut_mesh_point_positions(mesh, indices(beyond, 2), scalars(two_weights, 2), room(at, 2)),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_FACE, 2);
+    CHECK_FAILS(taut_mesh_point_positions(mesh, typed_input(negative, 2, TAUT_TYPE_I32), scalars(two_weights, 2),
+                                          room(at, 2)),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 1);
+    CHECK_FAILS(taut_mesh_point_positions(mesh, indices(two_faces, 1), scalars(two_weights, 2), room(at, 2)),
+                TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_mesh_point_positions(mesh, indices(two_faces, 2), scalars(two_weights, 2), room(at, 1)),
+                TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK(at[0] == -1 && at[3] == -1);
+    CHECK(taut_mesh_point_positions(mesh, indices(two_faces, 2), scalars(two_weights, 2), room(at, 2)) == TAUT_STATUS_OK);
+    CHECK(is_at(at, 3, 4) && is_at(at + 3, 2.25, 3));
+    CHECK(taut_mesh_point_positions(mesh, indices(two_faces, 2), scalars(two_weights, 2), to_strided) == TAUT_STATUS_OK);
+    CHECK(strided[0] == 3 && strided[3] == 7 && strided[4] == 2.25f && strided[7] == 7);
+    CHECK(taut_mesh_point_positions(mesh, each, each, (taut_output){0}) == TAUT_STATUS_OK);
+    taut_mesh_free(mesh);
+}
+
+/* Sources 0 and 2; from 3, from where none reaches, from 1. */
+static void where_paths_end(void) {
+    const uint32_t two[] = {2, 0}, targets[] = {3, 4, 1};
+    const taut_sources from = {.struct_size = sizeof from, .vertices = indices(two, 2)};
+    taut_exact_field *field = field_with(&from, NULL);
+    taut_mesh *mesh = rectangle();
+    taut_curves *curves = NULL;
+    double d[5];
+    int32_t ends[3];
+    CHECK(taut_exact_field_distances(field, NULL, room(d, 5)) == TAUT_STATUS_OK);
+    CHECK(taut_exact_field_paths(field, VERTICES(indices(targets, 3)), NULL, &curves) == TAUT_STATUS_OK);
+    CHECK(taut_curves_sources(curves, typed(ends, 3, TAUT_TYPE_I32)) == TAUT_STATUS_OK);
+    CHECK(ends[0] == 0 && ends[1] == -1 && ends[2] == 1);
+    CHECK_FAILS(taut_curves_sources(curves, typed(ends, 2, TAUT_TYPE_I32)), TAUT_REASON_BUFFER_TOO_SMALL, 0, 0);
+    CHECK_FAILS(taut_curves_sources(NULL, typed(ends, 3, TAUT_TYPE_I32)), TAUT_REASON_NULL_POINTER, 0, 0);
+    taut_curves_free(curves);
+
+    memset(ends, 0, sizeof ends);
+    CHECK(taut_descent_paths_new(mesh, scalars(d, 5), &from, VERTICES(indices(targets, 3)), NULL, &curves) == 0);
+    CHECK(taut_curves_sources(curves, typed(ends, 3, TAUT_TYPE_I32)) == TAUT_STATUS_OK);
+    CHECK(ends[0] == 0 && ends[1] == -1 && ends[2] == 1);
+    taut_curves_free(curves);
+
+    curves = two_lines();
+    CHECK(taut_curves_sources(curves, typed(ends, 3, TAUT_TYPE_I32)) == TAUT_STATUS_OK);
+    CHECK(ends[0] == -1 && ends[1] == -1);
+    taut_curves_free(curves);
+    taut_mesh_free(mesh);
+    taut_exact_field_free(field);
+}
+
+static void what_grows_with_what_is_asked_can_be_cancelled(void) {
+    enum { POINTS_ASKED = 1000 };
+    taut_mesh *mesh = hills();
+    taut_closest *closest = NULL;
+    taut_curves *curves = NULL;
+    taut_control *control = NULL;
+    witness seen = {.cancel_at = 5};
+    double *at = malloc(sizeof *at * 3 * HILL_VERTICES), weights[3 * POINTS_ASKED], far[POINTS_ASKED] = {-1};
+    uint32_t faces[POINTS_ASKED] = {77};
+    CHECK(taut_closest_new(mesh, &closest) == TAUT_STATUS_OK);
+    CHECK(taut_mesh_positions(mesh, room(at, HILL_VERTICES)) == TAUT_STATUS_OK);
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_callback(control, watch, &seen) == TAUT_STATUS_OK);
+    const taut_output to_faces = {.data = faces, .count = POINTS_ASKED};
+    CHECK_FAILS(taut_closest_points(closest, scalars(at, POINTS_ASKED), control, to_faces, room(weights, POINTS_ASKED),
+                                    room(far, POINTS_ASKED)),
+                TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(seen.calls == 5 && seen.progress > 0 && faces[0] == 77 && far[0] == -1);
+    taut_control_free(control);
+
+    const taut_input heights = {.data = at + 2, .count = HILL_VERTICES, .stride = 3 * sizeof *at};
+    seen = (witness){.cancel_at = 5};
+    CHECK(taut_control_new(&control) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_callback(control, watch, &seen) == TAUT_STATUS_OK);
+    CHECK_FAILS(taut_descent_paths_new(mesh, heights, NULL, NULL, control, &curves), TAUT_REASON_CANCELLED, 0, 0);
+    CHECK(curves == NULL && seen.calls == 5 && seen.progress > 0);
+    taut_control_free(control);
+    free(at);
+    taut_closest_free(closest);
+    taut_mesh_free(mesh);
 }
 
 int main(void) {
@@ -1905,6 +2255,17 @@ int main(void) {
     distances_within_a_radius_that_is_special();
     farthest_points();
     long_batches();
+    sizes_that_were_never_set();
+    what_is_reserved_is_zero();
+    what_interrupted_a_field();
+    residuals();
+    levels_of_lines();
+    a_curve_through_points();
+    rows_of_sets();
+    meshes_from_memory();
+    positions_of_points();
+    where_paths_end();
+    what_grows_with_what_is_asked_can_be_cancelled();
     if (failures) fprintf(stderr, "%d checks failed\n", failures);
     return failures ? 1 : 0;
 }

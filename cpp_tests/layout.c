@@ -15,12 +15,14 @@ FIELD(taut_input, data, 0);
 FIELD(taut_input, count, 8);
 FIELD(taut_input, stride, 16);
 FIELD(taut_input, type, 24);
+FIELD(taut_input, reserved, 28);
 
 SIZE(taut_output, 32);
 FIELD(taut_output, data, 0);
 FIELD(taut_output, count, 8);
 FIELD(taut_output, stride, 16);
 FIELD(taut_output, type, 24);
+FIELD(taut_output, reserved, 28);
 
 SIZE(taut_sources, 264);
 FIELD(taut_sources, struct_size, 0);
@@ -58,6 +60,11 @@ FIELD(taut_heat_report, order_seconds, 56);
 FIELD(taut_heat_report, symbolic_seconds, 64);
 FIELD(taut_heat_report, poisson_seconds, 72);
 FIELD(taut_heat_report, heat_seconds, 80);
+
+SIZE(taut_heat_residuals, 24);
+FIELD(taut_heat_residuals, struct_size, 0);
+FIELD(taut_heat_residuals, heat, 8);
+FIELD(taut_heat_residuals, poisson, 16);
 
 SIZE(taut_heat_options, 56);
 FIELD(taut_heat_options, struct_size, 0);

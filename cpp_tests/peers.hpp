@@ -66,8 +66,8 @@ inline Peers read_peers(const std::string &name) {
         }
         if (peers.cgal.add_face(face) == CgalMesh::null_face()) throw std::runtime_error(name + " is not manifold");
     }
-    const taut_input positions{open.points(), open.n_vertices(), sizeof(OpenMesh::Vec3d), TAUT_TYPE_F64};
-    const taut_input triangles{corners.data(), open.n_faces(), 0, TAUT_TYPE_I32};
+    const taut_input positions{open.points(), open.n_vertices(), sizeof(OpenMesh::Vec3d), TAUT_TYPE_F64, 0};
+    const taut_input triangles{corners.data(), open.n_faces(), 0, TAUT_TYPE_I32, 0};
     taut_mesh *mesh = nullptr;
     check(taut_mesh_new(positions, triangles, &mesh));
     peers.taut.reset(mesh);
@@ -77,7 +77,7 @@ inline Peers read_peers(const std::string &name) {
 inline taut_sources from_vertices(const std::vector<std::uint32_t> &vertices) {
     taut_sources sources = {};
     sources.struct_size = sizeof sources;
-    sources.vertices = {vertices.data(), vertices.size(), 0, TAUT_TYPE_U32};
+    sources.vertices = {vertices.data(), vertices.size(), 0, TAUT_TYPE_U32, 0};
     return sources;
 }
 
@@ -94,7 +94,7 @@ inline std::vector<double> exact_distances(const Peers &peers, const std::vector
     check(taut_exact_field_new(exact.get(), &sources, nullptr, nullptr, &field));
     const Handle<taut_exact_field> field_owner(field, taut_exact_field_free);
     std::vector<double> distances(peers.vertex_count());
-    check(taut_exact_field_distances(field, nullptr, taut_output{distances.data(), distances.size(), 0, TAUT_TYPE_F64}));
+    check(taut_exact_field_distances(field, nullptr, taut_output{distances.data(), distances.size(), 0, TAUT_TYPE_F64, 0}));
     return distances;
 }
 

@@ -3,7 +3,7 @@
 mod common;
 
 use std::cmp::Ordering;
-use taut::{Closest, ClosestPoint, Element, Mesh, Reason, shapes};
+use taut::{Closest, ClosestPoint, Control, Element, Mesh, Reason, shapes};
 
 fn mesh(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Mesh {
     Mesh::from_triangles(positions, triangles).unwrap()
@@ -350,12 +350,12 @@ fn nothing_to_be_near_to_and_points_that_are_not_finite() {
     }
     let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [f64::NAN; 3], [f64::INFINITY; 3]];
     let closest = Closest::new(&mesh(&corners, &[[3, 4, 3], [0, 1, 2]])).unwrap();
-    assert_eq!(closest.points(&[]).unwrap(), []);
+    assert_eq!(closest.points(&[], &Control::new()).unwrap(), []);
     assert_eq!(closest.clone().point([-1.0, 0.0, 0.0]).unwrap().point.face, 1);
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let error = closest.point([0.0, bad, 0.0]).unwrap_err();
         assert_eq!((error.reason(), error.element()), (Reason::BadArgument, None));
-        let error = closest.points(&[[0.0; 3], [1.0; 3], [0.0, 0.0, bad], [bad; 3]]).unwrap_err();
+        let error = closest.points(&[[0.0; 3], [1.0; 3], [0.0, 0.0, bad], [bad; 3]], &Control::new()).unwrap_err();
         assert_eq!((error.reason(), error.element()), (Reason::BadArgument, Some(Element::Point(2))));
         assert_eq!(error.to_string(), "point 2: has a coordinate that is not finite");
     }

@@ -91,7 +91,7 @@ fn excesses(what: &str, mesh: &Mesh, sources: &[Source], values: &[f64], seed: u
     let points = (0..200).map(|_| Target::Point(random.point(mesh)));
     let targets: Vec<Target> = vertices(mesh, 1 + mesh.vertex_count() / 500).into_iter().chain(points).collect();
     let exact = field(mesh, sources);
-    let paths = descent_paths(mesh, values, sources, &targets).unwrap();
+    let paths = descent_paths(mesh, values, sources, &targets, &Control::new()).unwrap();
     let mut excesses = Vec::new();
     for (target, path) in targets.iter().zip(&paths) {
         let path = path.as_ref().unwrap();
@@ -164,7 +164,7 @@ fn paths_pass_sources_that_others_beat() {
     let mesh = shapes::grid(20, 20).mesh().unwrap();
     let sources = [Source::vertex(10), Source::vertex(220).with_offset(30.0), Source::vertex(430).with_offset(5.0)];
     let nearest: Vec<Option<u32>> = field(&mesh, &sources).nearest_sources().collect();
-    let paths = descent_paths(&mesh, &exact(&mesh, &sources), &sources, &vertices(&mesh, 1)).unwrap();
+    let paths = descent_paths(&mesh, &exact(&mesh, &sources), &sources, &vertices(&mesh, 1), &Control::new()).unwrap();
     let found: Vec<Option<u32>> = paths.iter().map(|path| path.as_ref().unwrap().source).collect();
     assert!(found.iter().all(|source| matches!(source, Some(0 | 2))));
     let differ = found.iter().zip(&nearest).filter(|(found, nearest)| found != nearest).count();
@@ -179,7 +179,7 @@ fn on_a_plane_paths_are_straight_lines_along_the_slope() {
     let mesh = shapes::grid(12, 12).mesh().unwrap();
     let values: Vec<f64> = mesh.positions().iter().map(|[x, y, _]| 3.0 * x + 2.0 * y).collect();
     let from = SurfacePoint { face: 2 * (12 * 11 + 11), barycentric: [0.25, 0.5, 0.25] };
-    let paths = descent_paths(&mesh, &values, &[], &[Target::Point(from)]).unwrap();
+    let paths = descent_paths(&mesh, &values, &[], &[Target::Point(from)], &Control::new()).unwrap();
     let path = paths[0].as_ref().unwrap();
     check("plane", &mesh, &values, path);
     let positions = path.curve.positions(&mesh).unwrap();
@@ -199,7 +199,7 @@ fn valleys_and_ridges_are_edges() {
     let positions = [[0.0; 3], [4.0, 0.0, 0.0], [2.0, 2.0, 0.0], [2.0, -2.0, 0.0]];
     let mesh = Mesh::from_triangles(&positions, &[[0, 1, 2], [1, 0, 3]]).unwrap();
     let end = |values: &[f64; 4], from: SurfacePoint| {
-        let paths = descent_paths(&mesh, values, &[], &[Target::Point(from)]).unwrap();
+        let paths = descent_paths(&mesh, values, &[], &[Target::Point(from)], &Control::new()).unwrap();
         check("edge", &mesh, values, paths[0].as_ref().unwrap());
         paths[0].as_ref().unwrap().curve.positions(&mesh).unwrap()
     };
@@ -222,7 +222,8 @@ fn plateaus() {
     for lowest in [None, Some(2)] {
         let mut values = [5.0; 6];
         lowest.into_iter().for_each(|v: usize| values[v] = 1.0);
-        let paths = descent_paths(&mesh, &values, &[], &[Target::Point(from), Target::Vertex(0)]).unwrap();
+        let paths =
+            descent_paths(&mesh, &values, &[], &[Target::Point(from), Target::Vertex(0)], &Control::new()).unwrap();
         paths.iter().flatten().for_each(|path| check("plateau", &mesh, &values, path));
         let [point, vertex] = [0, 1].map(|i| paths[i].as_ref().unwrap().curve.positions(&mesh).unwrap());
         assert_eq!(point[1], mesh.positions()[corner]);
@@ -239,14 +240,17 @@ fn values_that_are_not_finite() {
     for bad in [INF, -INF, f64::NAN] {
         let values = [0.0, 1.0, 2.0, 3.0, bad, bad, bad, bad];
         let targets = [Target::Vertex(3), Target::Vertex(4), triangle(0), Target::Vertex(0)];
-        let paths = descent_paths(&mesh, &values, &[], &targets).unwrap();
+        let paths = descent_paths(&mesh, &values, &[], &targets, &Control::new()).unwrap();
         paths.iter().flatten().for_each(|path| check("not finite", &mesh, &values, path));
         let lengths = paths.iter().map(|path| path.as_ref().map(|path| length(&mesh, &path.curve)));
         assert_eq!(lengths.collect::<Vec<_>>(), [Some(3.0), None, None, Some(0.0)], "{bad}");
     }
     // A vertex of no triangle is on no path; an ignored triangle holds none.
     let mesh = Mesh::from_triangles(&[[0.0; 3], [1.0, 0.0, 0.0], [f64::NAN; 3]], &[[0, 1, 1]]).unwrap();
-    assert_eq!(descent_paths(&mesh, &[1.0, 0.0, 0.0], &[], &vertices(&mesh, 1)).unwrap(), [None, None, None]);
+    assert_eq!(
+        descent_paths(&mesh, &[1.0, 0.0, 0.0], &[], &vertices(&mesh, 1), &Control::new()).unwrap(),
+        [None, None, None]
+    );
 }
 
 #[test]
@@ -258,7 +262,7 @@ fn on_edges_of_several_triangles_the_steepest_counts() {
     for lowest in 3..6 {
         let mut values = [5.0, 5.0, 9.0, 4.0, 4.0, 4.0];
         values[lowest] = 1.0;
-        let paths = descent_paths(&mesh, &values, &[], &[Target::Point(from)]).unwrap();
+        let paths = descent_paths(&mesh, &values, &[], &[Target::Point(from)], &Control::new()).unwrap();
         let path = paths[0].as_ref().unwrap();
         check("fan", &mesh, &values, path);
         assert_eq!(
@@ -294,11 +298,11 @@ fn soups() {
             |target: &Target| matches!(target, Target::Point(p) if mesh.ignored_triangles().contains(&p.face));
         let points = (0..6).map(|_| Target::Point(random.point(&mesh)));
         let targets: Vec<Target> = vertices(&mesh, 1).into_iter().chain(points).filter(|t| !is_ignored(t)).collect();
-        for path in descent_paths(&mesh, &values, &[], &targets).unwrap().iter().flatten() {
+        for path in descent_paths(&mesh, &values, &[], &targets, &Control::new()).unwrap().iter().flatten() {
             check(&format!("soup {case}"), &mesh, &values, path);
         }
         let sources = [Source::vertex(0), Source::vertex(1).with_offset(1.5)];
-        for path in descent_paths(&mesh, &values, &sources, &targets).unwrap().iter().flatten() {
+        for path in descent_paths(&mesh, &values, &sources, &targets, &Control::new()).unwrap().iter().flatten() {
             check_way(&format!("soup {case} with sources"), &mesh, &values, path);
         }
     }
@@ -312,20 +316,28 @@ fn units_do_not_matter() {
     let source = random.point(&mesh);
     let targets: Vec<Target> = (0..50).map(|_| Target::Point(random.point(&mesh))).collect();
     let values = exact(&mesh, &[Source::point(source)]);
-    let paths = descent_paths(&mesh, &values, &[Source::point(source)], &targets).unwrap();
+    let paths = descent_paths(&mesh, &values, &[Source::point(source)], &targets, &Control::new()).unwrap();
     for exponent in [-900, -300, 300, 900] {
         let size = 2f64.powi(exponent);
         let positions: Vec<[f64; 3]> = shape.positions.iter().map(|p| p.map(|x| size * x)).collect();
         let scaled = Mesh::from_triangles(&positions, &shape.triangles).unwrap();
         let values: Vec<f64> = values.iter().map(|u| size * u).collect();
-        assert_eq!(descent_paths(&scaled, &values, &[Source::point(source)], &targets).unwrap(), paths, "2^{exponent}");
-        assert_eq!(descent_paths(&mesh, &values, &[Source::point(source)], &targets).unwrap(), paths, "field alone");
+        assert_eq!(
+            descent_paths(&scaled, &values, &[Source::point(source)], &targets, &Control::new()).unwrap(),
+            paths,
+            "2^{exponent}"
+        );
+        assert_eq!(
+            descent_paths(&mesh, &values, &[Source::point(source)], &targets, &Control::new()).unwrap(),
+            paths,
+            "field alone"
+        );
     }
     // From one end of the numbers to the other.
     let huge = [[-1.7e308, 0.0, 0.0], [1.7e308, 0.0, 0.0], [0.0, 1.7e308, 0.0], [0.0, -1.7e308, 0.0]];
     let mesh = Mesh::from_triangles(&huge, &[[0, 1, 2], [1, 0, 3]]).unwrap();
     let values = [1.7e308, -1.7e308, 1e308, 0.0];
-    for path in descent_paths(&mesh, &values, &[], &vertices(&mesh, 1)).unwrap().iter().flatten() {
+    for path in descent_paths(&mesh, &values, &[], &vertices(&mesh, 1), &Control::new()).unwrap().iter().flatten() {
         check("huge", &mesh, &values, path);
         assert_eq!(path.curve.positions(&mesh).unwrap()[path.curve.points.len() - 1], huge[1]);
     }
@@ -336,7 +348,7 @@ fn what_makes_no_sense_is_named() {
     let mesh = shapes::grid(2, 2).mesh().unwrap();
     let values = [1.0; 9];
     let fails = |values: &[f64], sources: &[Source], targets: &[Target]| {
-        let error = descent_paths(&mesh, values, sources, targets).unwrap_err();
+        let error = descent_paths(&mesh, values, sources, targets, &Control::new()).unwrap_err();
         (error.reason(), error.element())
     };
     let beyond = SurfacePoint { face: 8, barycentric: [1.0, 0.0, 0.0] };
@@ -356,7 +368,8 @@ fn paths_go_on_over_the_lowest_pass() {
     let row = [0.0, 2.0, 1.0, 4.0, 5.0, 6.0];
     let values = [row, row].concat();
     let end = |sources: &[Source]| {
-        let path = descent_paths(&mesh, &values, sources, &[Target::Vertex(5)]).unwrap()[0].clone().unwrap();
+        let path =
+            descent_paths(&mesh, &values, sources, &[Target::Vertex(5)], &Control::new()).unwrap()[0].clone().unwrap();
         check_way("pass", &mesh, &values, &path);
         (path.source, path.curve.positions(&mesh).unwrap()[path.curve.points.len() - 1])
     };
@@ -372,13 +385,15 @@ fn real_meshes_however_bad() {
         let sources = [Source::vertex(mesh.triangles()[mesh.triangle_count() / 2][0])];
         let targets = vertices(&mesh, 1 + mesh.vertex_count() / 500);
         let distances = exact(&mesh, &sources);
-        for (target, path) in targets.iter().zip(descent_paths(&mesh, &distances, &sources, &targets).unwrap()) {
+        for (target, path) in
+            targets.iter().zip(descent_paths(&mesh, &distances, &sources, &targets, &Control::new()).unwrap())
+        {
             let Some(path) = path else { continue };
             check_way(name, &mesh, &distances, &path);
             assert_eq!(path.source, Some(0), "{name}: {target:?}");
         }
         let heights: Vec<f64> = mesh.positions().iter().map(|[x, y, z]| x + 0.3 * y * z).collect();
-        for path in descent_paths(&mesh, &heights, &[], &targets).unwrap().iter().flatten() {
+        for path in descent_paths(&mesh, &heights, &[], &targets, &Control::new()).unwrap().iter().flatten() {
             check(name, &mesh, &heights, path);
         }
     }

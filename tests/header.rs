@@ -3,40 +3,84 @@
 use std::fs;
 use std::path::Path;
 
-/// In the order of the manual.
-const SOURCES: [&str; 12] = [
-    "src/ffi/version.rs",
-    "src/error.rs",
-    "src/ffi/guard.rs",
-    "src/ffi/types.rs",
-    "src/ffi/control.rs",
-    "src/ffi/mesh.rs",
-    "src/ffi/report.rs",
-    "src/ffi/heat.rs",
-    "src/ffi/exact.rs",
-    "src/ffi/batch.rs",
-    "src/ffi/surface.rs",
-    "src/ffi/closest.rs",
+/// The sections of the manual, in its order, and where their items are.
+const SECTIONS: [(&str, &[&str]); 11] = [
+    ("Versions", &["src/ffi/version.rs"]),
+    ("Errors", &["src/error.rs", "src/ffi/guard.rs"]),
+    ("Buffers", &["src/ffi/types.rs"]),
+    ("Progress, cancellation and limits", &["src/ffi/control.rs"]),
+    ("Meshes", &["src/ffi/mesh.rs"]),
+    ("Places on the surface", &["src/ffi/places.rs", "src/ffi/closest.rs"]),
+    ("Exact distances", &["src/ffi/exact.rs"]),
+    ("Exact distances from many sources at once", &["src/ffi/batch.rs"]),
+    ("The heat method", &["src/ffi/heat.rs"]),
+    ("Curves", &["src/ffi/lines.rs", "src/ffi/curves.rs"]),
+    ("What is unusual about a mesh", &["src/ffi/report.rs"]),
+];
+
+/// What cbindgen puts around functions.
+const EXTERN_C: [&str; 2] = [
+    "#ifdef __cplusplus\nextern \"C\" {\n#endif // __cplusplus\n",
+    "#ifdef __cplusplus\n}  // extern \"C\"\n#endif  // __cplusplus\n",
 ];
 
 fn generate(root: &Path) -> String {
-    let mut config = cbindgen::Config::from_file(root.join("cbindgen.toml").to_str().unwrap()).unwrap();
+    let config = || cbindgen::Config::from_file(root.join("cbindgen.toml").to_str().unwrap()).unwrap();
+    let mut frame = config();
     let versions = [
         ("@MAJOR@", env!("CARGO_PKG_VERSION_MAJOR")),
         ("@MINOR@", env!("CARGO_PKG_VERSION_MINOR")),
         ("@PATCH@", env!("CARGO_PKG_VERSION_PATCH")),
     ];
     for (placeholder, number) in versions {
-        config.after_includes = config.after_includes.map(|text| text.replace(placeholder, number));
+        frame.after_includes = frame.after_includes.map(|text| text.replace(placeholder, number));
     }
-    let builder = cbindgen::Builder::new().with_config(config);
-    let builder = SOURCES.iter().fold(builder, |builder, source| builder.with_src(root.join(source)));
-    let mut header = Vec::new();
-    builder.generate().unwrap().write(&mut header);
-    tidy(&String::from_utf8(header).unwrap())
+    let frame = written(frame, root, &[]);
+    let (head, guard_end) = frame.rsplit_once("#endif").unwrap();
+
+    let mut handles = heading("Handles");
+    let mut manual = String::new();
+    for (title, files) in SECTIONS {
+        let bare = cbindgen::Config {
+            header: None,
+            include_guard: None,
+            sys_includes: Vec::new(),
+            after_includes: None,
+            ..config()
+        };
+        let items = tidy(&EXTERN_C.iter().fold(written(bare, root, files), |text, brace| text.replace(brace, "")));
+        let items = items.split("\n\n").map(str::trim).filter(|item| !item.is_empty());
+        let (opaque, others): (Vec<&str>, Vec<&str>) = items.partition(|item| is_handle(item));
+        handles.extend(opaque.into_iter().map(|item| format!("{item}\n\n")));
+        manual += &heading(title);
+        manual.extend(others.into_iter().map(|item| format!("{item}\n\n")));
+    }
+    let [open, close] = EXTERN_C;
+    format!("{}\n\n{open}\n{handles}{manual}{close}\n#endif{guard_end}", head.trim_end())
 }
 
-/// Brings the values of an integer type to the type, where cbindgen puts them last, and short comments on one line.
+/// What cbindgen makes of some files. It does not know the types of others, and takes their names as they stand.
+fn written(config: cbindgen::Config, root: &Path, files: &[&str]) -> String {
+    let builder = cbindgen::Builder::new().with_config(config);
+    let builder = files.iter().fold(builder, |builder, file| builder.with_src(root.join(file)));
+    let mut text = Vec::new();
+    builder.generate().unwrap().write(&mut text);
+    String::from_utf8(text).unwrap()
+}
+
+/// `/* ---- title ---- */`, as long as a line.
+fn heading(title: &str) -> String {
+    let dashes = 120 - "/*    */".len() - title.len();
+    format!("/* {} {title} {} */\n\n", "-".repeat(dashes / 2), "-".repeat(dashes - dashes / 2))
+}
+
+/// Whether a paragraph declares a type without a body. Sections may name those of later ones, so they come first.
+fn is_handle(item: &str) -> bool {
+    let line = item.lines().last().unwrap_or_default();
+    line.starts_with("typedef struct ") && line.ends_with(';')
+}
+
+/// Brings the values of an integer type to the type, where cbindgen puts them last; what fits on one line goes there.
 fn tidy(header: &str) -> String {
     let mut paragraphs: Vec<String> =
         header.split("\n\n").map(|paragraph| paragraph.trim_matches('\n').into()).collect();
@@ -50,7 +94,15 @@ fn tidy(header: &str) -> String {
         }
         i += 1;
     }
-    one_line_comments(&(paragraphs.join("\n\n") + "\n"))
+    one_line_comments(&paragraphs.iter().map(|item| one_line_prototype(item) + "\n\n").collect::<String>())
+}
+
+/// Writes a function on one line where it fits, which cbindgen does only sometimes.
+fn one_line_prototype(item: &str) -> String {
+    let Some(start) = item.find("\ntaut_status taut_").filter(|_| item.ends_with(");")) else { return item.to_owned() };
+    let (comment, prototype) = item.split_at(start + 1);
+    let line = prototype.split('\n').map(str::trim).collect::<Vec<_>>().join(" ");
+    if line.len() <= 120 { format!("{comment}{line}") } else { item.to_owned() }
 }
 
 /// Writes `/** x */` for a comment of one line.

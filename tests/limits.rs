@@ -9,8 +9,8 @@ use std::sync::{Arc, Mutex};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
 use taut::{
-    Control, Element, Error, ExactField, ExactOptions, ExactSolver, HeatOptions, HeatSolver, Mesh, Reason, Source,
-    Status, SurfacePoint, Target, shapes,
+    Closest, Control, Element, Error, ExactField, ExactOptions, ExactSolver, HeatOptions, HeatSolver, Mesh, Reason,
+    Source, Status, SurfacePoint, Target, descent_paths, shapes,
 };
 
 /// What a field tells of its distances.
@@ -240,6 +240,37 @@ fn paths_are_cancelled_between_two() {
     assert!(full.paths(&[], &Control::new()).unwrap().is_empty());
 }
 
+/// A call that may fail.
+type Attempt<'a> = &'a dyn Fn(&Control) -> Option<Error>;
+
+#[test]
+fn curves_closest_points_and_descent_are_cancelled_on_their_way() {
+    let case = &cases()[0];
+    let places: Vec<SurfacePoint> = (0..10).map(middle).collect();
+    let closest = Closest::new(&case.mesh).unwrap();
+    let positions = case.mesh.positions().repeat(1 + 640 / case.mesh.vertex_count());
+    let heights: Vec<f64> = case.mesh.positions().iter().map(|position| position[2]).collect();
+    let targets: Vec<Target> = places.iter().copied().map(Target::Point).collect();
+    let calls: [Attempt<'_>; 3] = [
+        &|control| case.solver.curve_through(&places, control).err(),
+        &|control| closest.points(&positions, control).err(),
+        &|control| descent_paths(&case.mesh, &heights, &[], &targets, control).err(),
+    ];
+    for call in calls {
+        for n in [1, 3] {
+            assert_eq!(call(&cancelled_at(n)).map(|error| error.reason()), Some(Reason::Cancelled));
+        }
+        let late = Control::new();
+        late.set_time_limit(Duration::ZERO);
+        assert_eq!(call(&late).map(|error| error.reason()), Some(Reason::TimeLimit));
+    }
+}
+
+/// The middle of a triangle.
+fn middle(face: u32) -> SurfacePoint {
+    SurfacePoint { face, barycentric: [0.5, 0.25, 0.25] }
+}
+
 #[test]
 fn a_radius_that_is_no_distance_is_refused() {
     for radius in [-1.0, f64::NAN, f64::NEG_INFINITY] {
@@ -299,10 +330,18 @@ fn the_callback_runs_on_the_thread_of_the_call_and_progress_grows() {
         });
         control
     };
-    let calls: [&(dyn Fn(&Control) + Sync); 3] = [
+    let places: Vec<SurfacePoint> = (0..case.mesh.triangle_count() as u32).step_by(99).map(middle).collect();
+    let positions = case.mesh.positions().repeat(3);
+    let closest = Closest::new(&case.mesh).unwrap();
+    let heights: Vec<f64> = case.mesh.positions().iter().map(|position| position[2]).collect();
+    let targets: Vec<Target> = places.iter().copied().map(Target::Point).collect();
+    let calls: [&(dyn Fn(&Control) + Sync); 6] = [
         &|control| drop(case.field(&ExactOptions::default(), control).unwrap()),
         &|control| drop(HeatSolver::new(&case.mesh, &HeatOptions::default(), control).unwrap()),
         &|control| drop(heat.field(&[Source::vertex(0)], control).unwrap().into_distances()),
+        &|control| drop(case.solver.curve_through(&places, control).unwrap()),
+        &|control| drop(closest.points(&positions, control).unwrap()),
+        &|control| drop(descent_paths(&case.mesh, &heights, &[], &targets, control).unwrap()),
     ];
     for call in calls {
         let control = control();

@@ -6,7 +6,7 @@ use crate::curves;
 use crate::measured::{Seconds, measured};
 use crate::numbers;
 use std::path::Path;
-use taut::{Closest, Element, Error, Mesh, Reason, Source, SurfacePoint};
+use taut::{Closest, Control, Element, Error, Mesh, Reason, Source, SurfacePoint};
 
 /// The mesh of a file.
 pub(crate) fn read(path: &Path) -> Result<(Mesh, Seconds)> {
@@ -45,7 +45,7 @@ pub(crate) fn nearest(points: &[[f64; 3]], mesh: &Mesh) -> Result<Vec<SurfacePoi
     if points.is_empty() {
         return Ok(Vec::new()); // needs no tree, nor triangles
     }
-    let places = Closest::new(mesh).and_then(|closest| closest.points(points));
+    let places = Closest::new(mesh).and_then(|closest| closest.points(points, &Control::new()));
     Ok(places.map_err(|error| error.to_string())?.iter().map(|place| place.point).collect())
 }
 

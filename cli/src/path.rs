@@ -177,7 +177,7 @@ fn by_descent(
     sources: &[Source],
     targets: &[Target],
 ) -> taut::Result<Found> {
-    let (found, paths) = measured("paths", |_| taut::descent_paths(mesh, &values, sources, targets));
+    let (found, paths) = measured("paths", |control| taut::descent_paths(mesh, &values, sources, targets, control));
     let path = |found: Option<DescentPath>| {
         let Some(DescentPath { curve, source }) = found else { return Ok(None) };
         let positions = curve.positions(mesh)?;

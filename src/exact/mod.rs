@@ -125,10 +125,13 @@ impl ExactSolver {
     /// [`Reason::BadArgument`] for a radius that is negative or NaN; unless `allow_partial` is set,
     /// [`Reason::Cancelled`], [`Reason::TimeLimit`], [`Reason::MemoryLimit`].
     pub fn field(&self, sources: &[Source], options: &ExactOptions, control: &Control) -> Result<ExactField> {
+        self.field_within(sources, options, Piece::whole(control))
+    }
+
+    fn field_within(&self, sources: &[Source], options: &ExactOptions, control: Piece) -> Result<ExactField> {
         let seeds = Source::checked(sources, &self.0.mesh)?;
         let aims = self.0.aims(&options.targets)?;
         check_radius(options.radius)?;
-        let control = Piece::whole(control);
         let (found, units, rho, ended) = match has_curves(&seeds) {
             false => self.0.find::<Spreading>(&seeds, &aims, options, control),
             true => self.0.find::<Mixed>(&seeds, &aims, options, control),

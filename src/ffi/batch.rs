@@ -3,25 +3,30 @@
 use super::control::taut_control;
 use super::exact::taut_exact;
 use super::guard::{control_or_new, free, guard, guard_new, guard_value, required};
-use super::types::{sources, taut_output, taut_sources};
-use crate::{Source, SparseDistances, Status};
+use super::places::{source_sets, sources, taut_sources};
+use super::types::{taut_input, taut_output};
+use crate::{SparseDistances, Status};
 
 /// The distances of what lies within a radius of each of several sources: a sparse matrix in compressed rows, one row for
 /// each source, one entry for each vertex that it reaches.
 pub struct taut_sparse_distances(SparseDistances);
 
-/// Computes the exact distances of every vertex from each of several sources, one field for each.
+/// Computes the exact distances of every vertex from each of several sources, or sets of sources: one field for each.
 ///
 /// - `exact`: not NULL.
-/// - `sources`: where to measure from; not NULL. No source means no rows.
+/// - `sources`: where to measure from; not NULL.
+/// - `set_offsets`: rows of one index, where each set begins among the sources and, at last, where they end: row i is about
+///   the sources from set_offsets[i] up to, not including, set_offsets[i + 1], one at least. The first is 0, the last the
+///   number of sources. No rows, as of `(taut_input){0}`, mean that each source is a set.
 /// - `threads`: how many threads compute rows: 1 for the calling one only, 0 for as many as the machine has, 1024 at most.
 ///   The distances are the same, to the bit, for any number.
 /// - `control`: progress, cancellation and limits, or NULL.
-/// - `out`: rows of as many real numbers as there are vertices, at least one row for each source, in their order; mesh
-///   units. +INFINITY where the source does not reach.
+/// - `out`: rows of as many real numbers as there are vertices, at least one row for each set, in their order; mesh units.
+///   +INFINITY where the set does not reach.
 ///
-/// Errors: TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; else as for `taut_exact_field_new`. Cost: that of
-/// `taut_exact_field_new` for each source, shared by the threads, each with the memory of one field; and 8 bytes for each
+/// Errors: TAUT_REASON_BAD_ARGUMENT where the offsets are no such numbers; TAUT_REASON_NO_SOURCE where a set has none;
+/// TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; else as for `taut_exact_field_new`. Cost: that of
+/// `taut_exact_field_new` for each set, shared by the threads, each with the memory of one field; and 8 bytes for each
 /// number until all are there. Threads: any, also on one `exact` at once. The control is consulted as by
 /// `taut_exact_field_new`, on every thread, but tells its progress on the calling one only, which may wait at the end for
 /// the last row of another; a memory limit holds for each thread, without the rows.
@@ -29,6 +34,7 @@ pub struct taut_sparse_distances(SparseDistances);
 pub unsafe extern "C" fn taut_exact_distance_rows(
     exact: Option<&taut_exact>,
     sources: *const taut_sources,
+    set_offsets: taut_input,
     threads: usize,
     control: Option<&taut_control>,
     out: taut_output,
@@ -36,9 +42,8 @@ pub unsafe extern "C" fn taut_exact_distance_rows(
     guard(|| {
         let taut_exact { solver, mesh } = required(exact, "exact")?;
         // SAFETY: the header asks for a struct of the size that it states, and views of readable memory.
-        let sources = unsafe { self::sources(sources)? };
-        out.scalar_layout(sources.len(), mesh.vertex_count(), "out")?;
-        let sets: Vec<Vec<Source>> = sources.into_iter().map(|source| vec![source]).collect();
+        let sets = unsafe { source_sets(sources, set_offsets)? };
+        out.scalar_layout(sets.len(), mesh.vertex_count(), "out")?;
         let rows = solver.distance_rows(&sets, threads, &control_or_new(control))?;
         // SAFETY: the header asks for a view of writable memory.
         unsafe { out.write_scalar_rows(&rows, mesh.vertex_count(), "out") }
@@ -165,13 +170,13 @@ pub extern "C" fn taut_sparse_distances_free(distances: Option<Box<taut_sparse_d
 /// - `sources`: what to begin with; not NULL, at least one.
 /// - `count`: how many vertices are wanted.
 /// - `control`: progress, cancellation and limits, or NULL.
-/// - `vertices`: rows of one index, at least `count` of them. Once no vertex of a triangle is farther than 0, as when all
-///   are taken, all bits are set: -1 in a signed type, the largest value of an unsigned one.
+/// - `vertices`: rows of one index, at least `count` of them; no index once no vertex of a triangle is farther than 0, as
+///   when all are taken.
 /// - `distances`: rows of one real number, at least `count` of them: how far each vertex was when it was taken, in mesh
 ///   units; +INFINITY for the first one in a component without any, 0 where there is no vertex.
 ///
 /// Errors: TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; TAUT_REASON_BAD_ARGUMENT where a vertex exceeds the
-/// type; else as for `taut_exact_field_new`. On failure nothing is written. Cost: the first vertex as much as a field, each
+/// type; else as for `taut_exact_field_new`. Cost: the first vertex as much as a field, each
 /// further one about as much as the area that it takes, and O(V). Threads: any, also on one `exact` at once. The control is
 /// consulted as by `taut_exact_field_new`.
 #[unsafe(no_mangle)]

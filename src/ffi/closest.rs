@@ -1,6 +1,7 @@
 //! `taut_closest`: the surface point nearest to a point in space.
 
-use super::guard::{free, guard, guard_new, required};
+use super::control::taut_control;
+use super::guard::{control_or_new, free, guard, guard_new, required};
 use super::mesh::taut_mesh;
 use super::types::{taut_input, taut_output};
 use crate::{Closest, Status};
@@ -28,6 +29,7 @@ pub unsafe extern "C" fn taut_closest_new(mesh: Option<&taut_mesh>, out: *mut *m
 ///
 /// - `closest`: not NULL.
 /// - `points`: rows of three real numbers, in mesh units, finite.
+/// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `faces`: rows of one index, at least as many as there are points: the triangle in which the place lies.
 /// - `barycentrics`: rows of three real numbers, at least as many: the weights of the triangle's corners, not negative,
 ///   their sum 1; 0 at the corner opposite the edge on which the place lies, and at both others if it is a vertex.
@@ -35,12 +37,14 @@ pub unsafe extern "C" fn taut_closest_new(mesh: Option<&taut_mesh>, out: *mut *m
 ///   exceeds the largest `double`.
 ///
 /// Errors: TAUT_REASON_BAD_ARGUMENT naming the point that is not finite, or where a face exceeds the type;
-/// TAUT_REASON_BUFFER_TOO_SMALL. On failure nothing is written. Cost: about O(log F) for a point, O(F log F) for one with
-/// all triangles equally near. Threads: any. Cannot be cancelled.
+/// TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: about
+/// O(log F) for a point, O(F log F) for one with all triangles equally near. Threads: any. The control is consulted every
+/// 64 points.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_closest_points(
     closest: Option<&taut_closest>,
     points: taut_input,
+    control: Option<&taut_control>,
     faces: taut_output,
     barycentrics: taut_output,
     distances: taut_output,
@@ -49,13 +53,14 @@ pub unsafe extern "C" fn taut_closest_points(
         let closest = &required(closest, "closest")?.0;
         // SAFETY: the header asks for a view of readable memory.
         let points = unsafe { points.scalars(3, "points")?.positions() };
-        let found = closest.points(&points)?;
+        // All three or none: what can fail about the others is asked before the first is written, and before the work.
+        faces.index_layout(points.len(), 1, "faces")?;
+        barycentrics.scalar_layout(points.len(), 3, "barycentrics")?;
+        distances.scalar_layout(points.len(), 1, "distances")?;
+        let found = closest.points(&points, &control_or_new(control))?;
         let face_rows: Vec<[u32; 1]> = found.iter().map(|closest| [closest.point.face]).collect();
         let barycentric_rows: Vec<[f64; 3]> = found.iter().map(|closest| closest.point.barycentric).collect();
         let distance_rows: Vec<[f64; 1]> = found.iter().map(|closest| [closest.distance]).collect();
-        // All three or none: what can fail about the others is asked before the first is written.
-        barycentrics.scalar_layout(found.len(), 3, "barycentrics")?;
-        distances.scalar_layout(found.len(), 1, "distances")?;
         // SAFETY: the header asks for views of writable memory.
         unsafe {
             faces.write_indices(&face_rows, "faces")?;

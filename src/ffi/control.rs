@@ -9,30 +9,31 @@ use std::time::Duration;
 /// Watches, limits and cancels a long call from any thread.
 pub struct taut_control(pub(super) Control);
 
-/// A function of yours that is told the progress, in [0, 1], and whatever `user` points to. It returns 0 to go on; any
-/// other number cancels the call. It must return: no exception, no `longjmp`.
+/// A function of yours that is told the progress, in [0, 1], and the `user` that was set with it.
+///
+/// It returns 0 to go on; any other number cancels the call. It must return: no exception, no `longjmp`.
 pub type taut_callback = Option<unsafe extern "C" fn(progress: f64, user: *mut c_void) -> c_int>;
 
-/// Makes a control, at progress 0, not cancelled, without limits or callback. Use a new one for each call, or one for
-/// several calls that share a limit.
+/// Makes a control, at progress 0, not cancelled, without limits or callback.
+///
+/// Use a new one for each call, or one for several calls that share a limit.
 ///
 /// - `out`: receives the control; free it with `taut_control_free` once the call that uses it has returned.
 ///
-/// Errors: `out` is NULL. Cost: O(1). Threads: any.
+/// Errors: none in particular. Cost: O(1). Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_control_new(out: *mut *mut taut_control) -> Status {
     // SAFETY: the header asks for a writable `out`.
     unsafe { guard_new(out, || Ok(taut_control(Control::new()))) }
 }
 
-/// Asks the call that uses the control to stop: at its next check it returns TAUT_STATUS_CANCELLED and writes nothing,
-/// or succeeds with what is final by then if its options set `allow_partial`.
-///
-/// - `control`: not NULL.
+/// Asks the call that uses the control to stop: at its next check it ends with TAUT_STATUS_CANCELLED.
 ///
 /// A call that starts with a cancelled control stops at once; one that has just ended is not undone.
 ///
-/// Cost: O(1). Threads: any.
+/// - `control`: not NULL.
+///
+/// Errors: none in particular. Cost: O(1). Threads: any.
 #[unsafe(no_mangle)]
 pub extern "C" fn taut_control_cancel(control: Option<&taut_control>) {
     guard(|| {
@@ -61,14 +62,13 @@ pub extern "C" fn taut_control_progress(control: Option<&taut_control>) -> f64 {
     guard_value(0.0, || Ok(required(control, "control")?.0.progress()))
 }
 
-/// Limits the time: from now on this many seconds. A call that uses the control then returns
-/// TAUT_STATUS_LIMIT_REACHED at its next check, with TAUT_REASON_TIME_LIMIT, and writes nothing, unless its options set
-/// `allow_partial`.
+/// Limits the time: a call that uses the control ends with TAUT_REASON_TIME_LIMIT at its first check after so many seconds
+/// from now.
+///
+/// A later limit takes the place of an earlier one, also while a call runs.
 ///
 /// - `control`: not NULL.
 /// - `seconds`: not negative; 0 means no limit, as does +INFINITY.
-///
-/// A later limit takes the place of an earlier one, also while a call runs.
 ///
 /// Errors: TAUT_REASON_BAD_ARGUMENT where `seconds` is negative or NaN. Cost: O(1). Threads: any.
 #[unsafe(no_mangle)]
@@ -90,17 +90,16 @@ pub extern "C" fn taut_control_set_time_limit(control: Option<&taut_control>, se
     })
 }
 
-/// Limits the memory that a call takes beyond its mesh and what was prepared. At its next check beyond the limit it
-/// returns TAUT_STATUS_LIMIT_REACHED with TAUT_REASON_MEMORY_LIMIT, and writes nothing, unless its options set
-/// `allow_partial`.
-///
-/// - `control`: not NULL.
-/// - `bytes`: 0 means no limit.
+/// Limits the memory that a call takes beyond its mesh and what was prepared: it ends with TAUT_REASON_MEMORY_LIMIT at its
+/// first check beyond the limit.
 ///
 /// Only calls that compute exact distances count their memory: each of their threads by itself, and without the rows
 /// that they gather. To other calls this makes no difference.
 ///
-/// Errors: `control` is NULL. Cost: O(1). Threads: any.
+/// - `control`: not NULL.
+/// - `bytes`: 0 means no limit.
+///
+/// Errors: none in particular. Cost: O(1). Threads: any.
 #[unsafe(no_mangle)]
 pub extern "C" fn taut_control_set_memory_limit(control: Option<&taut_control>, bytes: usize) -> Status {
     guard(|| {
@@ -109,7 +108,7 @@ pub extern "C" fn taut_control_set_memory_limit(control: Option<&taut_control>, 
     })
 }
 
-/// Lets a call that uses the control tell its progress at each of its checks, to a function of yours, on the thread that
+/// Lets a call that uses the control tell its progress to a function of yours, at each of its checks, on the thread that
 /// makes the call and no other.
 ///
 /// - `control`: not NULL.
@@ -117,7 +116,7 @@ pub extern "C" fn taut_control_set_memory_limit(control: Option<&taut_control>, 
 /// - `user`: handed to the callback as it is; may be NULL. It must stay valid until the callback is replaced or the
 ///   control freed, and no call uses the control any more.
 ///
-/// Errors: `control` is NULL. Cost: O(1). Threads: any.
+/// Errors: none in particular. Cost: O(1). Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_control_set_callback(
     control: Option<&taut_control>,

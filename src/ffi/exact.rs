@@ -1,11 +1,12 @@
 //! `taut_exact` and `taut_exact_field`: exact distances, nearest sources, shortest paths.
 
 use super::control::taut_control;
-use super::guard::{control_or_new, free, guard, guard_new, guard_value, required};
+use super::curves::taut_curves;
+use super::guard::{control_or_new, error_detail, free, guard, guard_new, guard_value, required, taut_error};
 use super::mesh::taut_mesh;
-use super::surface::taut_curves;
-use super::types::{SizedStruct, bad_enum, read_sized, sources, targets, taut_output, taut_sources, taut_targets};
-use crate::{Curve, Element, Error, ExactField, ExactOptions, ExactSolver, Mesh, Result, Status, Target};
+use super::places::{sources, surface_points, targets, taut_sources, taut_targets};
+use super::types::{SizedStruct, bad_enum, read_sized, taut_input, taut_output, write_sized};
+use crate::{Element, Error, ExactField, ExactOptions, ExactSolver, Mesh, Result, Status, Target};
 use std::borrow::Cow;
 
 /// A mesh prepared for exact distances. Serves any number of calls.
@@ -49,7 +50,7 @@ unsafe impl SizedStruct for taut_exact_options {}
 /// - `mesh`: not NULL; it may be freed afterwards.
 /// - `out`: receives the prepared mesh, to be freed with `taut_exact_free`; NULL on failure.
 ///
-/// Errors: `mesh` or `out` is NULL. Cost: O(V + F) time and memory. Threads: any. Cannot be cancelled.
+/// Errors: none in particular. Cost: O(V + F) time, 0.1 kB for each triangle. Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_exact_new(mesh: Option<&taut_mesh>, out: *mut *mut taut_exact) -> Status {
     let body = || {
@@ -119,7 +120,7 @@ unsafe fn options_of(options: *const taut_exact_options) -> Result<ExactOptions>
     Ok(ExactOptions { targets, radius, allow_partial, keep_windows })
 }
 
-/// Tells the distances of places.
+/// Tells the distance of each of some places, or of every vertex.
 ///
 /// - `field`: not NULL; made with `keep_windows`, unless all targets are vertices.
 /// - `targets`: NULL means every vertex.
@@ -147,11 +148,11 @@ pub unsafe extern "C" fn taut_exact_field_distances(
     })
 }
 
-/// Tells the nearest source of places, by its number among the sources.
+/// Tells the nearest source of each of some places, by its number among the sources.
 ///
 /// - `field`, `targets`: as for `taut_exact_field_distances`.
-/// - `out`: rows of one index, at least one for each target. Where no source reaches, and beyond
-///   `taut_exact_field_final_radius`, all bits are set: -1 in a signed type, the largest value of an unsigned one.
+/// - `out`: rows of one index, at least one for each target; no index where no source reaches, and beyond
+///   `taut_exact_field_final_radius`.
 ///
 /// Errors: as for `taut_exact_field_distances`; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: as for
 /// `taut_exact_field_distances`. Threads: any. Cannot be cancelled.
@@ -202,9 +203,11 @@ pub unsafe extern "C" fn taut_exact_field_paths(
             None => (0..).take(mesh.vertex_count()).map(Target::Vertex).collect(),
             Some(targets) => targets,
         };
+        let paths = field.paths(&targets, &control_or_new(control))?;
         let mut curves = taut_curves::new();
-        for (target, path) in (0..).zip(field.paths(&targets, &control_or_new(control))?) {
-            curves.push(mesh, target, &path.unwrap_or(Curve { points: Vec::new(), is_closed: false }))?;
+        for (i, (path, &target)) in (0..).zip(paths.iter().zip(&targets)) {
+            let source = if path.is_some() { field.nearest_source(target)? } else { None };
+            curves.push(mesh, i, path.as_ref(), source)?;
         }
         Ok(curves)
     };
@@ -219,8 +222,10 @@ fn of_each<A>(targets: &[Target], answer: impl Fn(Target) -> Result<A>) -> Resul
 }
 
 /// Tells up to which distance the field is complete: distances up to this one are there and final, beyond it all are
-/// +INFINITY. It is +INFINITY unless the work stopped at its targets or its radius, or was interrupted; work that was
-/// interrupted early may know no distance for certain, and then this is below the least start distance.
+/// +INFINITY.
+///
+/// It is +INFINITY unless the work stopped at its targets or its radius, or was interrupted. Work that was interrupted early
+/// may know no distance for certain; then it is below the least start distance.
 ///
 /// - `field`: not NULL.
 ///
@@ -230,22 +235,77 @@ pub extern "C" fn taut_exact_field_final_radius(field: Option<&taut_exact_field>
     guard_value(0.0, || Ok(required(field, "field")?.field.final_radius()))
 }
 
-/// Tells what interrupted the work before it had all that was asked for: the status that its call would have returned
-/// without `allow_partial`.
+/// Tells what interrupted the work before it had all that was asked for, where `allow_partial` let it succeed all the same.
+///
+/// - `field`: not NULL.
+/// - `detail`: NULL, or receives the failure that its call would have been; set `struct_size` before the call. All zero but
+///   the size if nothing interrupted it.
+///
+/// Returns TAUT_STATUS_OK if nothing did, TAUT_STATUS_CANCELLED or TAUT_STATUS_LIMIT_REACHED;
+/// TAUT_STATUS_INVALID_ARGUMENT if `field` is NULL or `detail` without its size. Cost: O(1). Threads: any.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_exact_field_interruption(
+    field: Option<&taut_exact_field>,
+    detail: *mut taut_error,
+) -> Status {
+    guard_value(Status::InvalidArgument, || {
+        let interruption = required(field, "field")?.field.interruption();
+        if !detail.is_null() {
+            // SAFETY: it is not NULL, and the header asks for a struct of at least the size that it states.
+            unsafe { write_sized(detail, interruption.map(error_detail).as_ref(), "detail")? };
+        }
+        Ok(interruption.map_or(Status::Ok, Error::status))
+    })
+}
+
+/// Tells how many windows crossed a triangle: a measure of the work that does not depend on the machine.
 ///
 /// - `field`: not NULL.
 ///
-/// Returns TAUT_STATUS_OK if nothing did, TAUT_STATUS_CANCELLED or TAUT_STATUS_LIMIT_REACHED;
-/// TAUT_STATUS_INVALID_ARGUMENT if `field` is NULL. Cost: O(1). Threads: any.
+/// Returns 0 if `field` is NULL. Cost: O(1). Threads: any.
 #[unsafe(no_mangle)]
-pub extern "C" fn taut_exact_field_interruption(field: Option<&taut_exact_field>) -> Status {
-    guard_value(Status::InvalidArgument, || {
-        Ok(required(field, "field")?.field.interruption().map_or(Status::Ok, Error::status))
-    })
+pub extern "C" fn taut_exact_field_windows(field: Option<&taut_exact_field>) -> u64 {
+    guard_value(0, || Ok(required(field, "field")?.field.windows()))
 }
 
 /// Frees a field; NULL is fine.
 #[unsafe(no_mangle)]
 pub extern "C" fn taut_exact_field_free(field: Option<Box<taut_exact_field>>) {
     free(field);
+}
+
+/// Draws the open curve that goes through points in their order: straight from one to the next where a triangle holds both,
+/// else along a shortest path. What the `taut_curves_` functions copy out of it is a curve among `taut_sources`.
+///
+/// - `exact`: not NULL.
+/// - `faces`: rows of one index, the points: the triangle in which each lies.
+/// - `barycentrics`: rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, as in
+///   `taut_sources`.
+/// - `control`: progress, cancellation and limits, or NULL.
+/// - `out`: receives one curve, to be freed with `taut_curves_free`; NULL on failure. Of points that follow each other at
+///   one place it has one; without points it has none.
+///
+/// Errors: TAUT_REASON_BAD_ARGUMENT names the point that is no place on the mesh, or to which no way leads from the one
+/// before it; TAUT_REASON_PATH_LOST; TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT, TAUT_REASON_MEMORY_LIMIT. Cost: a
+/// straight piece nothing, a shortest path that of a field as far as the next point, with `keep_windows`. Threads: any,
+/// also on one `exact` at once. The control is consulted at each point, and as by `taut_exact_field_new`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_exact_curve_through(
+    exact: Option<&taut_exact>,
+    faces: taut_input,
+    barycentrics: taut_input,
+    control: Option<&taut_control>,
+    out: *mut *mut taut_curves,
+) -> Status {
+    let body = || {
+        let taut_exact { solver, mesh } = required(exact, "exact")?;
+        // SAFETY: the header asks for views of readable memory.
+        let points = unsafe { surface_points(faces, barycentrics, "", Element::Point)? };
+        let curve = solver.curve_through(&points, &control_or_new(control))?;
+        let mut curves = taut_curves::new();
+        curves.push(mesh, 0, Some(&curve), None)?;
+        Ok(curves)
+    };
+    // SAFETY: the header asks for a writable `out`.
+    unsafe { guard_new(out, body) }
 }

@@ -1,6 +1,6 @@
 //! The border: what every entry point does about panics, errors and NULL.
 
-use super::types::{SizedStruct, write_sized, zero_sized};
+use super::types::{SizedStruct, write_sized};
 use crate::{Control, Element, Error, Reason, Result, Status};
 use libc::c_char;
 use std::any::Any;
@@ -150,22 +150,19 @@ unsafe impl SizedStruct for taut_error {}
 /// Errors: none. Cost: O(1). Threads: any; each has its own last failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_last_error(detail: *mut taut_error) -> *const c_char {
-    let copy_out = |last: &RefCell<Option<(Error, CString)>>| match &*last.borrow() {
-        Some((error, message)) => {
-            // SAFETY: the header asks for NULL or a struct of at least the size that it states.
-            unsafe { write_sized(detail, &error_detail(error)) };
-            message.as_ptr()
-        }
-        None => {
-            // SAFETY: as above.
-            unsafe { zero_sized(detail) };
-            c"".as_ptr()
-        }
+    let copy_out = |last: &RefCell<Option<(Error, CString)>>| {
+        let last = last.borrow();
+        let error = last.as_ref().map(|(error, _)| error_detail(error));
+        // SAFETY: the header asks for NULL or a struct of at least the size that it states. Where it is neither, there is
+        // no one to tell.
+        let _ = unsafe { write_sized(detail, error.as_ref(), "detail") };
+        last.as_ref().map_or(c"".as_ptr(), |(_, message)| message.as_ptr())
     };
     LAST_FAILURE.try_with(copy_out).unwrap_or(c"".as_ptr())
 }
 
-fn error_detail(error: &Error) -> taut_error {
+/// An error as C reads it.
+pub(super) fn error_detail(error: &Error) -> taut_error {
     let (element, index) = match error.element() {
         None => (taut_element::None, 0),
         Some(Element::Vertex(i)) => (taut_element::Vertex, i),

@@ -3,10 +3,11 @@
 use super::control::taut_control;
 use super::guard::{control_or_new, free, guard, guard_new, guard_value, null, required};
 use super::mesh::taut_mesh;
-use super::types::{SizedStruct, bad_enum, read_sized, sources, taut_output, taut_sources, write_required};
+use super::places::{source_sets, sources, taut_sources};
+use super::types::{SizedStruct, bad_enum, check_reserved, read_sized, taut_input, taut_output, write_sized};
 use crate::{
-    Error, HeatField, HeatOptions, HeatReport, HeatSolver, Laplacian, Reason, Result, Shift, Solver, Source, Status,
-    TimeFormula, TimeScale, TimeStep,
+    Error, HeatField, HeatOptions, HeatReport, HeatResiduals, HeatSolver, Laplacian, Reason, Result, Shift, Solver,
+    Status, TimeFormula, TimeScale, TimeStep,
 };
 
 /// The heat method prepared for one mesh and one time step: operators and their factors. Serves any number of calls.
@@ -133,13 +134,30 @@ pub struct taut_heat_report {
 // SAFETY: repr(C), starts with its size, and no field is read back from the caller.
 unsafe impl SizedStruct for taut_heat_report {}
 
+/// How well the two systems of a field are solved: the largest entry of b - A x, as a share of the largest entry of b.
+/// Rounding leaves about 1e-15 times the number of edges at a vertex; much more means that the matrix is close to singular.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct taut_heat_residuals {
+    /// `sizeof(taut_heat_residuals)`, set by the caller.
+    pub struct_size: usize,
+    /// Of the heat: (M + t L) u = δ.
+    pub heat: f64,
+    /// Of the distances: L φ = -∇·X, where they are not known beforehand.
+    pub poisson: f64,
+}
+
+// SAFETY: repr(C), starts with its size, and no field is read back from the caller.
+unsafe impl SizedStruct for taut_heat_residuals {}
+
 /// Tells the time step t that a mesh gets, without preparing anything.
 ///
 /// - `mesh`: not NULL.
 /// - `time_step`: all zero means the default.
 /// - `out`: not NULL; receives t in mesh units squared.
 ///
-/// Errors: TAUT_REASON_BAD_ARGUMENT; TAUT_REASON_BAD_TIME_STEP where t is not positive and finite. Cost: O(F). Threads:
+/// Errors: TAUT_REASON_BAD_ARGUMENT where the fields of the time step exclude each other; TAUT_REASON_BAD_TIME_STEP where t
+/// is not positive and finite, or a formula says nothing about this mesh. Cost: O(F). Threads:
 /// any. Cannot be cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_time_step_value(
@@ -153,7 +171,7 @@ pub unsafe extern "C" fn taut_time_step_value(
             return Err(null("out"));
         }
         // SAFETY: it is not NULL, and the header asks for a writable double.
-        unsafe { out.write(value) };
+        unsafe { out.write_unaligned(value) };
         Ok(())
     })
 }
@@ -165,10 +183,11 @@ pub unsafe extern "C" fn taut_time_step_value(
 /// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
 ///
-/// Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_MISSING_FEATURE,
-/// TAUT_REASON_NOT_POSITIVE_DEFINITE, TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: two sparse Cholesky
-/// factorisations, about O(V^1.5) time and O(V log V) memory. Threads: any. The control is consulted between the
-/// steps, not inside a factorisation.
+/// Errors: TAUT_REASON_BAD_ARGUMENT names the option; TAUT_REASON_BAD_TIME_STEP; TAUT_REASON_MISSING_FEATURE where the
+/// library was built without the solver; TAUT_REASON_NOT_POSITIVE_DEFINITE where a factorisation breaks down;
+/// TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: two sparse Cholesky
+/// factorisations, about O(V^1.5) time and O(V log V) memory. Threads: any. The control is consulted between the steps
+/// and, some milliseconds apart, inside the factorisations (`TAUT_SOLVER_LDL`: not inside).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_new(
     mesh: Option<&taut_mesh>,
@@ -193,9 +212,9 @@ pub unsafe extern "C" fn taut_heat_new(
 /// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: receives the prepared method, to be freed with `taut_heat_free`; NULL on failure.
 ///
-/// Errors: TAUT_REASON_BAD_ARGUMENT, TAUT_REASON_BAD_TIME_STEP, TAUT_REASON_NOT_POSITIVE_DEFINITE,
+/// Errors: as for `taut_time_step_value`; TAUT_REASON_NOT_POSITIVE_DEFINITE where the factorisation breaks down;
 /// TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: one numeric factorisation, a fraction of `taut_heat_new`.
-/// Threads: any. The control is consulted between the steps, not inside a factorisation.
+/// Threads: any. The control is consulted as by `taut_heat_new`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_with_time_step(
     heat: Option<&taut_heat>,
@@ -211,16 +230,6 @@ pub unsafe extern "C" fn taut_heat_with_time_step(
     unsafe { guard_new(out, body) }
 }
 
-/// Tells the time step t in mesh units squared.
-///
-/// - `heat`: not NULL.
-///
-/// Returns 0 if `heat` is NULL. Cost: O(1). Threads: any.
-#[unsafe(no_mangle)]
-pub extern "C" fn taut_heat_time_step(heat: Option<&taut_heat>) -> f64 {
-    guard_value(0.0, || Ok(required(heat, "heat")?.0.time_step()))
-}
-
 /// Prepares the heat method for the same triangles in another place, with the options that `heat` was prepared with.
 ///
 /// - `heat`: not NULL; it stays as it is and may be freed before the new one.
@@ -230,7 +239,7 @@ pub extern "C" fn taut_heat_time_step(heat: Option<&taut_heat>) -> f64 {
 ///
 /// Errors: TAUT_REASON_BAD_ARGUMENT where the mesh has other triangles; else as for `taut_heat_new`. Cost: that of
 /// `taut_heat_new` less the ordering of the matrices and, where no other edges are flipped than before, less their
-/// analysis. Threads: any. The control is consulted between the steps, not inside a factorisation.
+/// analysis. Threads: any. The control is consulted as by `taut_heat_new`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_with_mesh(
     heat: Option<&taut_heat>,
@@ -246,18 +255,28 @@ pub unsafe extern "C" fn taut_heat_with_mesh(
     unsafe { guard_new(out, body) }
 }
 
+/// Tells the time step t that a method was prepared for, in mesh units squared.
+///
+/// - `heat`: not NULL.
+///
+/// Returns 0 if `heat` is NULL. Cost: O(1). Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_heat_time_step(heat: Option<&taut_heat>) -> f64 {
+    guard_value(0.0, || Ok(required(heat, "heat")?.0.time_step()))
+}
+
 /// Tells what the preparation did to the triangulation, and how long its stages took.
 ///
 /// - `heat`: not NULL.
 /// - `out`: not NULL; receives it; set `struct_size` before the call.
 ///
-/// Errors: TAUT_REASON_BAD_ARGUMENT. Cost: O(1). Threads: any. Cannot be cancelled.
+/// Errors: none in particular. Cost: O(1). Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_report_of(heat: Option<&taut_heat>, out: *mut taut_heat_report) -> Status {
     guard(|| {
         let report = required(heat, "heat")?.0.report();
         // SAFETY: the header asks for a struct of at least the size that it states.
-        unsafe { write_required(out, &taut_heat_report::from(report)) }
+        unsafe { write_sized(out, Some(&taut_heat_report::from(report)), "out") }
     })
 }
 
@@ -281,6 +300,12 @@ impl From<HeatReport> for taut_heat_report {
     }
 }
 
+/// Frees a prepared heat method; NULL is fine.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_heat_free(heat: Option<Box<taut_heat>>) {
+    free(heat);
+}
+
 /// Computes the distances from a set of sources by the heat method: approximate, smooth, fast for many calls.
 ///
 /// - `heat`: not NULL.
@@ -288,7 +313,7 @@ impl From<HeatReport> for taut_heat_report {
 /// - `control`: progress, cancellation and a time limit, or NULL.
 /// - `out`: receives the field, to be freed with `taut_heat_field_free`; NULL on failure.
 ///
-/// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and
+/// Errors: TAUT_REASON_NO_SOURCE; TAUT_REASON_VERTEX_OUT_OF_RANGE, TAUT_REASON_BAD_ARGUMENT and, with `boundary` 1,
 /// TAUT_REASON_SOURCE_ON_BOUNDARY name the source; TAUT_REASON_CANCELLED, TAUT_REASON_TIME_LIMIT. Cost: a few sparse
 /// triangular solves, about O(V log V); with `TAUT_SHIFT_PINNED` also a short one for each vertex of a source or, for more
 /// than 256 in one component, a factorisation. Threads: any, also on one `heat` at once. The control is consulted between
@@ -328,8 +353,7 @@ pub unsafe extern "C" fn taut_heat_field_distances(field: Option<&taut_heat_fiel
 /// Tells the nearest source of every vertex, by its number among the sources: the one to which steepest descent leads.
 ///
 /// - `field`: not NULL.
-/// - `out`: rows of one index, at least as many as there are vertices. Where no source reaches all bits are set: -1 in a
-///   signed type, the largest value of an unsigned one.
+/// - `out`: rows of one index, at least as many as there are vertices; no index where no source reaches.
 ///
 /// Errors: TAUT_REASON_BUFFER_TOO_SMALL; TAUT_REASON_BAD_ARGUMENT where a number exceeds the type. Cost: O(V log V).
 /// Threads: any. Cannot be cancelled.
@@ -366,23 +390,53 @@ pub extern "C" fn taut_heat_field_free(field: Option<Box<taut_heat_field>>) {
     free(field);
 }
 
-/// Computes the distances of every vertex from each of several sources by the heat method, one field for each.
+/// Computes a field once more, and tells how well its systems are solved.
+///
+/// - `heat`, `sources`, `control`: as for `taut_heat_field_new`.
+/// - `out`: not NULL; receives the residuals; set `struct_size` before the call.
+///
+/// Errors: as for `taut_heat_field_new`. Cost: about twice that of `taut_heat_field_new`. Threads: any, also on one `heat`
+/// at once. The control is consulted between the steps.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_heat_residuals_of(
+    heat: Option<&taut_heat>,
+    sources: *const taut_sources,
+    control: Option<&taut_control>,
+    out: *mut taut_heat_residuals,
+) -> Status {
+    guard(|| {
+        let heat = &required(heat, "heat")?.0;
+        if out.is_null() {
+            return Err(null("out"));
+        }
+        // SAFETY: the header asks for a struct of the size that it states, and views of readable memory.
+        let sources = unsafe { self::sources(sources)? };
+        let HeatResiduals { heat, poisson } = heat.residuals(&sources, &control_or_new(control))?;
+        let residuals = taut_heat_residuals { struct_size: size_of::<taut_heat_residuals>(), heat, poisson };
+        // SAFETY: the header asks for a struct of at least the size that it states.
+        unsafe { write_sized(out, Some(&residuals), "out") }
+    })
+}
+
+/// Computes the distances of every vertex from each of several sources, or sets of sources, by the heat method: one field
+/// for each.
 ///
 /// - `heat`: not NULL.
-/// - `sources`: where to measure from; not NULL. No source means no rows.
-/// - `threads`: how many threads compute rows: 1 for the calling one only, 0 for as many as the machine has, 1024 at most.
-///   The distances are the same, to the bit, for any number, and the same as those of `taut_heat_field_new`.
+/// - `sources`, `set_offsets`, `threads`: as for `taut_exact_distance_rows`. The distances are the same, to the bit, as
+///   those of `taut_heat_field_new`.
 /// - `control`: progress, cancellation and a time limit, or NULL.
-/// - `out`: rows of as many real numbers as there are vertices, at least one row for each source, in their order; mesh
-///   units. +INFINITY where the source does not reach.
+/// - `out`: rows of as many real numbers as there are vertices, at least one row for each set, in their order; mesh units.
+///   +INFINITY where the set does not reach.
 ///
-/// Errors: TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; else as for `taut_heat_field_new`. Cost: half of that
-/// of `taut_heat_field_new` for each source, as eight are solved for at once; and 8 bytes for each number until all are
-/// there. Threads: any, also on one `heat` at once. The control is consulted between the steps.
+/// Errors: TAUT_REASON_BAD_ARGUMENT where the offsets are no such numbers; TAUT_REASON_NO_SOURCE where a set has none;
+/// TAUT_REASON_BUFFER_TOO_SMALL, before anything is computed; else as for `taut_heat_field_new`. Cost: half of that of
+/// `taut_heat_field_new` for each set, as eight are solved for at once; and 8 bytes for each number until all are there.
+/// Threads: any, also on one `heat` at once. The control is consulted between the steps.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_heat_distance_rows(
     heat: Option<&taut_heat>,
     sources: *const taut_sources,
+    set_offsets: taut_input,
     threads: usize,
     control: Option<&taut_control>,
     out: taut_output,
@@ -390,20 +444,13 @@ pub unsafe extern "C" fn taut_heat_distance_rows(
     guard(|| {
         let heat = &required(heat, "heat")?.0;
         // SAFETY: the header asks for a struct of the size that it states, and views of readable memory.
-        let sources = unsafe { self::sources(sources)? };
+        let sets = unsafe { source_sets(sources, set_offsets)? };
         let vertex_count = heat.mesh().vertex_count();
-        out.scalar_layout(sources.len(), vertex_count, "out")?;
-        let sets: Vec<Vec<Source>> = sources.into_iter().map(|source| vec![source]).collect();
+        out.scalar_layout(sets.len(), vertex_count, "out")?;
         let rows = heat.distance_rows(&sets, threads, &control_or_new(control))?;
         // SAFETY: the header asks for a view of writable memory.
         unsafe { out.write_scalar_rows(&rows, vertex_count, "out") }
     })
-}
-
-/// Frees a prepared heat method; NULL is fine.
-#[unsafe(no_mangle)]
-pub extern "C" fn taut_heat_free(heat: Option<Box<taut_heat>>) {
-    free(heat);
 }
 
 fn heat_options(options: &taut_heat_options) -> Result<HeatOptions> {
@@ -422,9 +469,7 @@ fn heat_options(options: &taut_heat_options) -> Result<HeatOptions> {
         TAUT_SOLVER_LDL => Solver::Ldl,
         other => return Err(bad_enum("options.solver", other)),
     };
-    if options.reserved != 0 {
-        return Err(bad_enum("options.reserved", options.reserved));
-    }
+    check_reserved(options.reserved, "options")?;
     let time_step = time_step_of(&options.time_step)?;
     Ok(HeatOptions { laplacian, solver, time_step, boundary: options.boundary, shift })
 }

@@ -1,13 +1,27 @@
 //! `taut_mesh`: from buffers or a file.
 
 use super::guard::{free, guard, guard_new, guard_value, null, required};
-use super::types::{taut_input, taut_output};
-use crate::{Error, Faces, Mesh, Reason, Result, Status};
-use libc::c_char;
+use super::types::{bad_enum, taut_input, taut_output};
+use crate::{Error, Faces, Mesh, MeshFormat, Reason, Result, Status};
+use libc::{c_char, c_void};
 use std::ffi::CStr;
 
 /// A mesh, checked once and then immutable: any soup of triangles. Vertex v of the mesh is vertex v of its input.
 pub struct taut_mesh(pub(super) Mesh);
+
+/// A mesh file format; there is no default.
+pub type taut_format = u32;
+/// Binary glTF 2.0: all triangles of the default scene, each where its nodes place it. Vertices of equal position are one
+/// vertex, numbered by first appearance.
+pub const TAUT_FORMAT_GLB: taut_format = 1;
+/// Wavefront OBJ.
+pub const TAUT_FORMAT_OBJ: taut_format = 2;
+/// Geomview OFF in text.
+pub const TAUT_FORMAT_OFF: taut_format = 3;
+/// Stanford PLY, text or binary.
+pub const TAUT_FORMAT_PLY: taut_format = 4;
+/// STL, text or binary. Vertices of equal position are one vertex, numbered by first appearance.
+pub const TAUT_FORMAT_STL: taut_format = 5;
 
 /// Makes a mesh of triangles.
 ///
@@ -63,11 +77,12 @@ pub unsafe extern "C" fn taut_mesh_new_polygons(
     unsafe { guard_new(out, body) }
 }
 
-/// Makes a mesh of the same triangles with its vertices in other places: a mesh that moves. What connects the triangles is
-/// not computed again.
+/// Makes a mesh of the same triangles with its vertices in other places: a mesh that moves.
+///
+/// What connects the triangles is not computed again; `taut_heat_with_mesh` saves more.
 ///
 /// - `mesh`: not NULL; it stays as it is and may be freed before the new one.
-/// - `positions`: rows of three real numbers, as many as there are vertices; mesh units. It is copied.
+/// - `positions`: rows of three real numbers, as many as there are vertices; mesh units.
 /// - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
 ///
 /// Errors: TAUT_REASON_BAD_ARGUMENT where there are more or fewer positions than vertices;
@@ -88,18 +103,14 @@ pub unsafe extern "C" fn taut_mesh_with_positions(
     unsafe { guard_new(out, body) }
 }
 
-/// Reads a mesh file: binary glTF, OBJ, OFF, PLY or STL, each also compressed. Polygons become fans as in
-/// `taut_mesh_new_polygons`. glTF and STL repeat positions: there, equal positions become one vertex, numbered by first
-/// appearance; of glTF all triangles of the scene are read, each where its nodes place it.
+/// Reads a mesh file. Polygons become fans as in `taut_mesh_new_polygons`.
 ///
 /// - `path`: not NULL, UTF-8, ended by a zero byte; the suffix tells the format: .glb, .obj, .off, .ply, .stl, or these
 ///   and .gz.
 /// - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
 ///
-/// Errors: TAUT_STATUS_IO where the file cannot be read; TAUT_REASON_UNKNOWN_FORMAT where its suffix tells no format, or
-/// its content uses a part of the format that is not read; TAUT_REASON_MALFORMED and TAUT_REASON_TRUNCATED name the
-/// line, vertex or face; else as for `taut_mesh_new_polygons`. Cost: linear in the file. Threads: any. Cannot be
-/// cancelled.
+/// Errors: TAUT_STATUS_IO where the file cannot be read; TAUT_REASON_UNKNOWN_FORMAT where its suffix tells no format; else
+/// as for `taut_mesh_read_bytes`. Cost: linear in the file. Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_mesh_read(path: *const c_char, out: *mut *mut taut_mesh) -> Status {
     let body = || {
@@ -109,6 +120,54 @@ pub unsafe extern "C" fn taut_mesh_read(path: *const c_char, out: *mut *mut taut
     };
     // SAFETY: the header asks for a writable `out`.
     unsafe { guard_new(out, body) }
+}
+
+/// Reads a mesh from the content of a file, compressed by gzip or not. Polygons become fans as in
+/// `taut_mesh_new_polygons`.
+///
+/// - `data`: the content; may be NULL if `size` is 0.
+/// - `size`: how many bytes it has.
+/// - `format`: its format, which must be told.
+/// - `out`: receives the mesh, to be freed with `taut_mesh_free`; NULL on failure.
+///
+/// Errors: TAUT_REASON_MALFORMED and TAUT_REASON_TRUNCATED name the line, vertex or face where the content stops following
+/// its format; TAUT_REASON_UNKNOWN_FORMAT where it uses a part of the format that is not read; TAUT_REASON_BAD_ARGUMENT
+/// where there is no such format; else as for `taut_mesh_new_polygons`. Cost: linear in the content. Threads: any. Cannot be
+/// cancelled.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn taut_mesh_read_bytes(
+    data: *const c_void,
+    size: usize,
+    format: taut_format,
+    out: *mut *mut taut_mesh,
+) -> Status {
+    let body = || {
+        let format = match format {
+            TAUT_FORMAT_GLB => MeshFormat::Glb,
+            TAUT_FORMAT_OBJ => MeshFormat::Obj,
+            TAUT_FORMAT_OFF => MeshFormat::Off,
+            TAUT_FORMAT_PLY => MeshFormat::Ply,
+            TAUT_FORMAT_STL => MeshFormat::Stl,
+            other => return Err(bad_enum("format", other)),
+        };
+        // SAFETY: the header asks for so many readable bytes.
+        let content = unsafe { bytes(data, size)? };
+        Ok(taut_mesh(Mesh::read_bytes(content, format)?))
+    };
+    // SAFETY: the header asks for a writable `out`.
+    unsafe { guard_new(out, body) }
+}
+
+/// # Safety
+/// `data` points to `size` readable bytes, or is NULL.
+unsafe fn bytes<'a>(data: *const c_void, size: usize) -> Result<&'a [u8]> {
+    match (size, isize::try_from(size)) {
+        (0, _) => Ok(&[]),
+        _ if data.is_null() => Err(null("data")),
+        (_, Err(_)) => Err(Error::new(Reason::TooManyElements, "`data` spans more memory than there can be")),
+        // SAFETY: as the caller promises, and the size is one that a slice can have.
+        (_, Ok(_)) => Ok(unsafe { std::slice::from_raw_parts(data.cast(), size) }),
+    }
 }
 
 /// # Safety

@@ -1,8 +1,9 @@
 //! The C interface: one file per handle, and the only `unsafe` of the crate.
 //!
 //! Every entry point that can fail has the same shape: [`guard`] catches panics and keeps the error for
-//! `taut_last_error`; [`types`] turns views, sources and sized structs into the crate's own; the work is one call of the
-//! public Rust API. Doc comments of public items here are the C manual: `tests/header.rs` makes `include/taut.h` of them.
+//! `taut_last_error`; [`types`] and [`places`] turn views, sized structs and sources into the crate's own; the work is
+//! one call of the public Rust API. Doc comments of public items here are the C manual: `tests/header.rs` makes
+//! `include/taut.h` of them.
 //!
 //! What an entry point asks of its pointers stands once, in the header's preamble: a handle is NULL or alive, a view
 //! describes memory that the caller owns, a sized struct has the size that it states, `out` is NULL or writable.
@@ -17,11 +18,13 @@
 mod batch;
 mod closest;
 mod control;
+mod curves;
 mod exact;
 mod guard;
 mod heat;
+mod lines;
 mod mesh;
+mod places;
 mod report;
-mod surface;
 mod types;
 mod version;

@@ -2,7 +2,7 @@
 
 use super::guard::{free, guard, guard_new, guard_value, null, required};
 use super::mesh::taut_mesh;
-use super::types::{SizedStruct, bad_enum, taut_output, write_required};
+use super::types::{SizedStruct, bad_enum, taut_output, write_sized};
 use crate::{Angle, Error, MeshReport, Properties, Reason, Result, Status};
 
 /// The diagnosis of a mesh.
@@ -129,7 +129,7 @@ unsafe impl SizedStruct for taut_properties {}
 /// - `mesh`: not NULL; it may be freed afterwards.
 /// - `out`: receives the report, to be freed with `taut_report_free`; NULL on failure.
 ///
-/// Errors: `mesh` or `out` is NULL. Cost: O(V log V + F log F). Threads: any. Cannot be cancelled.
+/// Errors: none in particular. Cost: O(V log V + F log F). Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_report_new(mesh: Option<&taut_mesh>, out: *mut *mut taut_report) -> Status {
     // SAFETY: the header asks for a writable `out`.
@@ -201,7 +201,7 @@ pub unsafe extern "C" fn taut_report_boundary_vertices(report: Option<&taut_repo
 /// - `component`: its place, less than `taut_report_count` of TAUT_FINDING_COMPONENTS.
 /// - `out`: not NULL; receives the description; set `struct_size` before the call.
 ///
-/// Errors: TAUT_REASON_BAD_ARGUMENT. Cost: O(1). Threads: any. Cannot be cancelled.
+/// Errors: TAUT_REASON_BAD_ARGUMENT where there is no such component. Cost: O(1). Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_report_component(
     report: Option<&taut_report>,
@@ -226,15 +226,14 @@ pub unsafe extern "C" fn taut_report_component(
             genus: part.genus().unwrap_or(0),
         };
         // SAFETY: the header asks for a struct of at least the size that it states.
-        unsafe { write_required(out, &description) }
+        unsafe { write_sized(out, Some(&description), "out") }
     })
 }
 
 /// Tells the component of each vertex.
 ///
 /// - `report`: not NULL.
-/// - `out`: rows of one index, at least as many as there are vertices. For a vertex that no triangle uses all bits are
-///   set: -1 in a signed type, the largest value of an unsigned one.
+/// - `out`: rows of one index, at least as many as there are vertices; no index for a vertex that no triangle uses.
 ///
 /// Errors: as for `taut_report_list`. Cost: O(V). Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
@@ -252,7 +251,7 @@ pub unsafe extern "C" fn taut_report_component_of(report: Option<&taut_report>, 
 /// - `report`: not NULL.
 /// - `smallest`, `largest`: receive the angles; not NULL.
 ///
-/// Errors: a parameter is NULL. Cost: O(1). Threads: any. Cannot be cancelled.
+/// Errors: none in particular. Cost: O(1). Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_report_angles(
     report: Option<&taut_report>,
@@ -291,7 +290,7 @@ pub unsafe extern "C" fn taut_mesh_properties(mesh: Option<&taut_mesh>, out: *mu
         let no_edge = || Error::new(Reason::BadArgument, "`mesh` has no edge, so no properties");
         let properties = Properties::of(&required(mesh, "mesh")?.0).ok_or_else(no_edge)?;
         // SAFETY: the header asks for a struct of at least the size that it states.
-        unsafe { write_required(out, &taut_properties::from(properties)) }
+        unsafe { write_sized(out, Some(&taut_properties::from(properties)), "out") }
     })
 }
 

@@ -1,9 +1,7 @@
-//! What crosses the border by value: views of the caller's buffers, sources, structs that state their own size.
+//! What crosses the border by value: views of the caller's buffers, structs that state their own size.
 
 use super::guard::null;
-use crate::{
-    Curve, Element, ElementType, Error, IndexType, Reason, Result, Rows, ScalarType, Source, SurfacePoint, Target,
-};
+use crate::{ElementType, Error, IndexType, Reason, Result, Rows, ScalarType};
 use libc::c_void;
 use std::mem::MaybeUninit;
 
@@ -39,6 +37,8 @@ pub struct taut_input {
     pub stride: usize,
     /// Type of an element; 0 means `double` or `uint32_t`.
     pub r#type: taut_type,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// A buffer that a call fills, laid out like `taut_input`.
@@ -55,64 +55,9 @@ pub struct taut_output {
     pub stride: usize,
     /// Type of an element; 0 means `double` or `uint32_t`. A `float` receives the nearest value.
     pub r#type: taut_type,
+    /// 0.
+    pub reserved: u32,
 }
-
-/// Where distances are measured from: vertices, points of the surface and curves on it, each at its own start distance.
-///
-/// Sources are numbered from 0, the vertices first, then the points, then the curves: offsets are given, errors named, and
-/// nearest sources told by this number.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct taut_sources {
-    /// `sizeof(taut_sources)`.
-    pub struct_size: usize,
-    /// Rows of one vertex index.
-    pub vertices: taut_input,
-    /// Rows of one real number, the start distance of each source in mesh units: finite, of any sign. As many as there
-    /// are sources of all kinds together, or none, which means 0 for all.
-    pub offsets: taut_input,
-    /// Rows of one index, a point of the surface each: the triangle in which it lies.
-    pub faces: taut_input,
-    /// Rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, not negative,
-    /// their sum 1 up to 1e-6.
-    pub barycentrics: taut_input,
-    /// Rows of one index, where the points of each curve begin and, at last, where they end, as from
-    /// `taut_curves_offsets`: curve i has the points from curve_offsets[i] up to, not including, curve_offsets[i + 1], one
-    /// at least. The first is 0, the last the number of `curve_faces`. No rows mean no curves.
-    pub curve_offsets: taut_input,
-    /// Rows of one index, the points of all curves: the triangle in which each lies, and the segment to the next one with
-    /// it. A point on an edge or at a vertex may name any triangle there.
-    pub curve_faces: taut_input,
-    /// Rows of three real numbers, as many as there are `curve_faces`: the weights of the triangle's corners, as above.
-    pub curve_barycentrics: taut_input,
-    /// Rows of one index for each curve, 1 if its last point is joined to its first, else 0; or none, which means 0 for
-    /// all.
-    pub curve_closed: taut_input,
-}
-
-// SAFETY: repr(C), starts with its size; views are valid for any bytes, and a later field begins after the last one.
-unsafe impl SizedStruct for taut_sources {}
-
-/// Places that are asked about: vertices, points of the surface, or both.
-///
-/// Targets are numbered from 0, the vertices first and the points after them: answers are given and errors named by this
-/// number. A NULL pointer to targets means every vertex of the mesh.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct taut_targets {
-    /// `sizeof(taut_targets)`.
-    pub struct_size: usize,
-    /// Rows of one vertex index.
-    pub vertices: taut_input,
-    /// Rows of one index, a point of the surface each: the triangle in which it lies.
-    pub faces: taut_input,
-    /// Rows of three real numbers, as many as there are `faces`: the weights of the triangle's corners, not negative,
-    /// their sum 1 up to 1e-6.
-    pub barycentrics: taut_input,
-}
-
-// SAFETY: as for taut_sources.
-unsafe impl SizedStruct for taut_targets {}
 
 /// A struct that grows at its end from version to version.
 ///
@@ -120,6 +65,23 @@ unsafe impl SizedStruct for taut_targets {}
 /// `repr(C)`; the first field is `struct_size: usize`. One that is read from the caller must be valid for any bytes,
 /// and must end without padding, where a later version's field would find garbage.
 pub(super) unsafe trait SizedStruct: Copy {}
+
+/// No struct is as large; a size beyond it was never set.
+const MOST_STRUCT_SIZE: usize = 4096;
+
+/// The size that a caller's struct states.
+///
+/// # Safety
+/// The first field is readable.
+unsafe fn stated_size<T: SizedStruct>(pointer: *const T, name: &str) -> Result<usize> {
+    // SAFETY: as the caller promises.
+    let size = unsafe { pointer.cast::<usize>().read_unaligned() };
+    if (size_of::<usize>()..=MOST_STRUCT_SIZE).contains(&size) {
+        return Ok(size);
+    }
+    let message = format!("`{name}.struct_size` is {size}; set it to sizeof(the struct)");
+    Err(Error::new(Reason::BadArgument, message))
+}
 
 /// A caller's struct; fields that it does not have, and all fields if it is NULL, are zero.
 ///
@@ -130,11 +92,7 @@ pub(super) unsafe fn read_sized<T: SizedStruct>(pointer: *const T, name: &str) -
     if !pointer.is_null() {
         let bytes = pointer.cast::<u8>();
         // SAFETY: the struct has at least its size field.
-        let size = unsafe { bytes.cast::<usize>().read_unaligned() };
-        if size < size_of::<usize>() {
-            let message = format!("`{name}.struct_size` is {size}; set it to sizeof(the struct)");
-            return Err(Error::new(Reason::BadArgument, message));
-        }
+        let size = unsafe { stated_size(pointer, name)? };
         let known = size.min(size_of::<T>());
         // SAFETY: the caller promises `size` readable bytes.
         let unknown = unsafe { std::slice::from_raw_parts(bytes.add(known), size - known) };
@@ -149,50 +107,28 @@ pub(super) unsafe fn read_sized<T: SizedStruct>(pointer: *const T, name: &str) -
     Ok(unsafe { copy.assume_init() })
 }
 
-/// Fills the fields that the caller's struct has and this version knows, and zeroes the others but the size.
+/// Fills the fields that the caller's struct has and this version knows, and zeroes the others but the size; all of them
+/// where there is no value.
 ///
 /// # Safety
-/// `pointer` is NULL or points to as many writable bytes as its first field says.
-pub(super) unsafe fn write_sized<T: SizedStruct>(pointer: *mut T, value: &T) {
-    // SAFETY: as the caller promises.
-    let size = unsafe { zero_sized(pointer) };
-    let head = size_of::<usize>();
-    if let Some(body) = size.min(size_of::<T>()).checked_sub(head) {
-        let from = std::ptr::from_ref(value).cast::<u8>();
-        // SAFETY: both sides have head + body bytes, and `value` is ours.
-        unsafe { pointer.cast::<u8>().add(head).copy_from_nonoverlapping(from.add(head), body) };
-    }
-}
-
-/// [`write_sized`] to a pointer that must not be NULL.
-///
-/// # Safety
-/// As for [`write_sized`].
-pub(super) unsafe fn write_required<T: SizedStruct>(out: *mut T, value: &T) -> Result<()> {
+/// `out` is NULL or points to as many writable bytes as its first field says.
+pub(super) unsafe fn write_sized<T: SizedStruct>(out: *mut T, value: Option<&T>, name: &str) -> Result<()> {
     if out.is_null() {
-        return Err(null("out"));
-    }
-    // SAFETY: as the caller promises.
-    unsafe { write_sized(out, value) };
-    Ok(())
-}
-
-/// Zeroes everything but the size, which it returns; 0 for NULL.
-///
-/// # Safety
-/// As [`write_sized`].
-pub(super) unsafe fn zero_sized<T: SizedStruct>(pointer: *mut T) -> usize {
-    if pointer.is_null() {
-        return 0;
+        return Err(null(name));
     }
     let head = size_of::<usize>();
-    // SAFETY: the struct has at least its size field.
-    let size = unsafe { pointer.cast::<usize>().read_unaligned() };
-    if let Some(body) = size.checked_sub(head) {
-        // SAFETY: the caller promises `size` writable bytes.
-        unsafe { pointer.cast::<u8>().add(head).write_bytes(0, body) };
+    // SAFETY: the struct has at least its size field, and the caller promises `size` writable bytes; both sides have the
+    // bytes that are copied, and `value` is ours.
+    unsafe {
+        let size = stated_size(out, name)?;
+        let body = out.cast::<u8>().add(head);
+        body.write_bytes(0, size - head);
+        if let Some(value) = value {
+            let from = std::ptr::from_ref(value).cast::<u8>().add(head);
+            body.copy_from_nonoverlapping(from, size.min(size_of::<T>()) - head);
+        }
     }
-    size
+    Ok(())
 }
 
 impl taut_input {
@@ -227,6 +163,7 @@ impl taut_input {
     /// # Safety
     /// As [`taut_input::scalars`].
     unsafe fn rows<'a, T: ElementType>(self, width: usize, kind: T, name: &str) -> Result<Rows<'a, T>> {
+        check_reserved(self.reserved, name)?;
         let layout = Layout::new(self.data, self.count, self.stride, width, kind, name)?;
         let bytes = match self.count {
             0 => &[],
@@ -346,6 +283,7 @@ impl taut_output {
 
     /// The checked layout of `needed` rows in this view.
     fn layout<T: ElementType>(self, needed: usize, width: usize, kind: T, name: &str) -> Result<Layout> {
+        check_reserved(self.reserved, name)?;
         let layout = Layout::new(self.data, self.count, self.stride, width, kind, name)?;
         if self.count < needed {
             let message = format!("`{name}` has room for {} rows, but {needed} are needed", self.count);
@@ -426,163 +364,12 @@ fn index_type(kind: taut_type, name: &str) -> Result<IndexType> {
     }
 }
 
+/// A later version may give these bytes a meaning, which this one must not miss.
+pub(super) fn check_reserved(reserved: u32, name: &str) -> Result<()> {
+    if reserved == 0 { Ok(()) } else { Err(bad_enum(&format!("{name}.reserved"), reserved)) }
+}
+
 /// The error of an enum parameter or field whose value means nothing there.
 pub(super) fn bad_enum(name: &str, value: u32) -> Error {
     Error::new(Reason::BadArgument, format!("`{name}` cannot be {value}"))
-}
-
-/// Vertex indices; one that does not fit in 32 bits names its row by `element`.
-///
-/// # Safety
-/// As [`taut_input::scalars`].
-unsafe fn vertices(view: taut_input, name: &str, element: fn(u64) -> Element) -> Result<Vec<u32>> {
-    // SAFETY: as the caller promises.
-    let rows = unsafe { view.indices(1, name)? };
-    let vertex = |row: usize| {
-        let message = "is a vertex index that is negative or beyond 32 bits";
-        rows.index(row, 0).ok_or_else(|| Error::at(Reason::VertexOutOfRange, element(row as u64), message))
-    };
-    (0..rows.count()).map(vertex).collect()
-}
-
-/// Points of the surface; a face that does not fit in 32 bits names its row by `element`. In messages the names of the
-/// views begin with `owner`.
-///
-/// # Safety
-/// The views describe readable memory.
-unsafe fn surface_points(
-    faces: taut_input,
-    barycentrics: taut_input,
-    owner: &str,
-    element: impl Fn(u64) -> Element,
-) -> Result<Vec<SurfacePoint>> {
-    let [faces_name, weights_name] = ["faces", "barycentrics"].map(|name| format!("{owner}{name}"));
-    // SAFETY: as the caller promises.
-    let (faces, weights) = unsafe { (faces.indices(1, &faces_name)?, barycentrics.scalars(3, &weights_name)?) };
-    if faces.count() != weights.count() {
-        let message =
-            format!("`{faces_name}` has {} rows, but `{weights_name}` has {}", faces.count(), weights.count());
-        return Err(Error::new(Reason::BadArgument, message));
-    }
-    let point = |row: usize| match faces.index(row, 0) {
-        Some(face) => Ok(SurfacePoint { face, barycentric: [0, 1, 2].map(|k| weights.scalar(row, k)) }),
-        None => {
-            let message = "lies in a triangle whose index is negative or beyond 32 bits";
-            Err(Error::at(Reason::BadArgument, element(row as u64), message))
-        }
-    };
-    (0..faces.count()).map(point).collect()
-}
-
-/// The vertices, then the points; errors and messages as by [`vertices`] and [`surface_points`].
-///
-/// # Safety
-/// The views describe readable memory.
-unsafe fn places(
-    vertices: taut_input,
-    faces: taut_input,
-    barycentrics: taut_input,
-    owner: &str,
-    element: fn(u64) -> Element,
-) -> Result<Vec<Target>> {
-    // SAFETY: as the caller promises.
-    let (vertices, points) = unsafe {
-        let vertices = self::vertices(vertices, &format!("{owner}.vertices"), element)?;
-        let behind = |row| element(vertices.len() as u64 + row);
-        let points = surface_points(faces, barycentrics, &format!("{owner}."), behind)?;
-        (vertices, points)
-    };
-    Ok(vertices.into_iter().map(Target::Vertex).chain(points.into_iter().map(Target::Point)).collect())
-}
-
-/// The caller's targets; None for NULL, which means every vertex.
-///
-/// # Safety
-/// `targets` is NULL or points to a struct of the size it states, whose views describe readable memory.
-pub(super) unsafe fn targets(targets: *const taut_targets, name: &str) -> Result<Option<Vec<Target>>> {
-    if targets.is_null() {
-        return Ok(None);
-    }
-    // SAFETY: as the caller promises.
-    unsafe {
-        let taut_targets { vertices, faces, barycentrics, .. } = read_sized(targets, name)?;
-        places(vertices, faces, barycentrics, name, Element::Target).map(Some)
-    }
-}
-
-/// The caller's sources: the vertices, then the points, then the curves.
-///
-/// # Safety
-/// As [`targets`].
-pub(super) unsafe fn sources(sources: *const taut_sources) -> Result<Vec<Source>> {
-    if sources.is_null() {
-        return Err(null("sources"));
-    }
-    // SAFETY: as the caller promises.
-    let (places, offsets, curves) = unsafe {
-        let sources = read_sized(sources, "sources")?;
-        let taut_sources { vertices, offsets, faces, barycentrics, .. } = sources;
-        let places = places(vertices, faces, barycentrics, "sources", Element::Source)?;
-        let curves = curves(&sources, places.len())?;
-        (places, offsets.numbers("sources.offsets")?, curves)
-    };
-    let source = |place| match place {
-        Target::Vertex(v) => Source::vertex(v),
-        Target::Point(point) => Source::point(point),
-    };
-    let sources: Vec<Source> = places.into_iter().map(source).chain(curves.into_iter().map(Source::curve)).collect();
-    if offsets.is_empty() {
-        return Ok(sources);
-    }
-    if offsets.len() != sources.len() {
-        let message = format!("`sources` has {} sources, but {} offsets", sources.len(), offsets.len());
-        return Err(Error::new(Reason::BadArgument, message));
-    }
-    Ok(sources.into_iter().zip(offsets).map(|(source, offset)| source.with_offset(offset)).collect())
-}
-
-/// The caller's curves; errors name them as sources, of which there are `before` others.
-///
-/// # Safety
-/// As [`sources`].
-unsafe fn curves(sources: &taut_sources, before: usize) -> Result<Vec<Curve>> {
-    let name = |row: usize| Element::Source((before + row) as u64);
-    let bad = |message: String| Error::new(Reason::BadArgument, message);
-    // SAFETY: as the caller promises.
-    let (offsets, closed, points) = unsafe {
-        let taut_sources { curve_offsets, curve_faces, curve_barycentrics, curve_closed, .. } = *sources;
-        let offsets = curve_offsets.indices(1, "sources.curve_offsets")?;
-        // A face that is no index names the curve that it would belong to.
-        let curve = |point: u64| {
-            let begins = |row: &usize| offsets.index(*row, 0).is_some_and(|first| u64::from(first) <= point);
-            name((0..offsets.count()).take_while(begins).count().saturating_sub(1))
-        };
-        let points = surface_points(curve_faces, curve_barycentrics, "sources.curve_", curve)?;
-        (offsets, curve_closed.indices(1, "sources.curve_closed")?, points)
-    };
-    let count = offsets.count().saturating_sub(1);
-    if closed.count() != 0 && closed.count() != count {
-        return Err(bad(format!("`sources` has {count} curves, but {} rows in `curve_closed`", closed.count())));
-    }
-    let offset = |row: usize| offsets.index(row, 0).map_or(usize::MAX, |offset| offset as usize);
-    let is_whole =
-        if offsets.count() == 0 { points.is_empty() } else { offset(0) == 0 && offset(count) == points.len() };
-    if !is_whole {
-        let message = format!("`sources.curve_offsets` must lead from 0 to {}, the number of points", points.len());
-        return Err(bad(message));
-    }
-    let curve = |row: usize| {
-        let error = |message: &str| Error::at(Reason::BadArgument, name(row), message);
-        let points =
-            points.get(offset(row)..offset(row + 1)).ok_or_else(|| error("is a curve that ends before it begins"))?;
-        let is_closed = match closed.count() {
-            0 => false,
-            _ => match closed.index(row, 0) {
-                Some(flag @ 0..=1) => flag == 1,
-                _ => return Err(error("is a curve whose `curve_closed` is neither 0 nor 1")),
-            },
-        };
-        Ok(Curve { points: points.to_vec(), is_closed })
-    };
-    (0..count).map(curve).collect()
 }

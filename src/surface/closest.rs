@@ -21,6 +21,7 @@
 //! Systems 24(2), 1999.
 
 use super::point::SurfacePoint;
+use crate::control::Control;
 use crate::error::{Element, Error, Reason, Result};
 use crate::mesh::Mesh;
 use crate::metric::{Scale, dot, minus};
@@ -93,16 +94,25 @@ impl Closest {
         Ok(ClosestPoint { point, distance: x.hypot(y).hypot(z) })
     }
 
-    /// [`Closest::point`] for each of several positions.
+    /// [`Closest::point`] for each of several positions. The control is consulted every 64 of them.
     ///
     /// # Errors
-    /// [`Reason::BadArgument`] naming the first position with a coordinate that is not finite.
-    pub fn points(&self, positions: &[[f64; 3]]) -> Result<Vec<ClosestPoint>> {
+    /// [`Reason::BadArgument`] naming the first position with a coordinate that is not finite; [`Reason::Cancelled`],
+    /// [`Reason::TimeLimit`].
+    pub fn points(&self, positions: &[[f64; 3]], control: &Control) -> Result<Vec<ClosestPoint>> {
         if let Some(i) = positions.iter().position(|position| !is_finite(position)) {
             let message = "has a coordinate that is not finite";
             return Err(Error::at(Reason::BadArgument, Element::Point(i as u64), message));
         }
-        positions.iter().map(|&position| self.point(position)).collect()
+        let mut found = Vec::with_capacity(positions.len());
+        for some in positions.chunks(64) {
+            control.checkpoint(found.len() as f64 / positions.len() as f64)?;
+            for &position in some {
+                found.push(self.point(position)?);
+            }
+        }
+        control.report(1.0);
+        Ok(found)
     }
 }
 

@@ -34,6 +34,7 @@ use super::drain::drained;
 use super::point::{Place, SurfacePoint};
 use super::source::{Origin, Source};
 use super::target::Target;
+use crate::control::Control;
 use crate::error::{Element, Error, Result};
 use crate::mesh::Mesh;
 use crate::mesh::topology::start;
@@ -64,6 +65,7 @@ pub struct DescentPath {
 /// triangle.
 ///
 /// O(V) time for all paths together, O(V log V) where they leave such minima, and O(1) for each triangle that they cross.
+/// The control is consulted before each path; progress counts paths.
 ///
 /// ```
 /// # fn main() -> taut::Result<()> {
@@ -73,7 +75,7 @@ pub struct DescentPath {
 /// let control = Control::new();
 /// let distances = HeatSolver::new(&mesh, &HeatOptions::default(), &control)?.field(&sources, &control)?.into_distances();
 ///
-/// let paths = descent_paths(&mesh, &distances, &sources, &[Target::Vertex(11)])?;
+/// let paths = descent_paths(&mesh, &distances, &sources, &[Target::Vertex(11)], &control)?;
 /// let path = paths[0].as_ref().expect("the source reaches all vertices");
 /// assert_eq!(path.source, Some(0));
 /// let points = path.curve.positions(&mesh)?;
@@ -83,12 +85,14 @@ pub struct DescentPath {
 ///
 /// # Errors
 /// [`Reason::BadArgument`](crate::Reason) where the number of values is not that of the vertices; it and
-/// [`Reason::VertexOutOfRange`](crate::Reason) naming the source or target that the mesh does not have.
+/// [`Reason::VertexOutOfRange`](crate::Reason) naming the source or target that the mesh does not have;
+/// [`Reason::Cancelled`](crate::Reason), [`Reason::TimeLimit`](crate::Reason).
 pub fn descent_paths(
     mesh: &Mesh,
     values: &[f64],
     sources: &[Source],
     targets: &[Target],
+    control: &Control,
 ) -> Result<Vec<Option<DescentPath>>> {
     super::check_values(mesh, values)?;
     let positions = Scale::of(mesh).unit_positions(mesh);
@@ -96,11 +100,14 @@ pub fn descent_paths(
     let outlets = descent.outlets();
     let drained = if outlets.is_empty() { values.into() } else { drained(mesh, values, &outlets) };
     let descent = Descent { field: Field { values: &drained, ..descent.field }, ..descent };
-    let path = |(i, target): (u64, &Target)| {
-        let place = target.checked(mesh).map_err(|error: Error| error.about(Element::Target(i)))?;
-        descent.path(place)
-    };
-    (0..).zip(targets).map(path).collect()
+    let mut paths = Vec::with_capacity(targets.len());
+    for (i, target) in targets.iter().enumerate() {
+        control.checkpoint(i as f64 / targets.len() as f64)?;
+        let place = target.checked(mesh).map_err(|error: Error| error.about(Element::Target(i as u64)))?;
+        paths.push(descent.path(place)?);
+    }
+    control.report(1.0);
+    Ok(paths)
 }
 
 /// A field on a mesh.
