@@ -499,7 +499,7 @@ static void threads_share_handles() {
 int main() {
     const auto [major, minor, patch] = std::array{TAUT_VERSION_MAJOR, TAUT_VERSION_MINOR, TAUT_VERSION_PATCH};
     CHECK(taut::version() == std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch));
-    CHECK(taut::abi() == TAUT_ABI);
+    CHECK(taut::abi() == TAUT_ABI && taut::status_name(TAUT_STATUS_IO) == std::string(taut_status_name(3)));
     views_are_read();
     views_are_filled();
     errors_tell_what_failed();

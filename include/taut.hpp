@@ -59,6 +59,9 @@ inline const char *version() noexcept { return taut_version(); }
 /// Binary interface of the library that runs, to be compared to TAUT_ABI. C: taut_abi.
 inline std::uint32_t abi() noexcept { return taut_abi(); }
 
+/// Name of a status, as "invalid mesh". C: taut_status_name.
+inline const char *status_name(taut_status status) noexcept { return taut_status_name(status); }
+
 // ---------------------------------------------------------------------------------------------------------- Errors
 
 /// The failure of a call; what() is the message for people.
