@@ -128,7 +128,10 @@ struct Row<T[N]> {
     static const T *data(const T (&row)[N]) noexcept { return row; }
 };
 
-/// Rows of numbers in memory: `count` rows, `stride` bytes apart, of `width` numbers each; 0 if nobody knows.
+/// The width of rows that are as wide as they have to be.
+inline constexpr std::size_t any_width = std::numeric_limits<std::size_t>::max();
+
+/// Rows of numbers in memory: `count` rows, `stride` bytes apart, of `width` numbers each.
 template <class Scalar>
 struct Rows {
     Scalar *data;
@@ -211,8 +214,7 @@ struct is_container<C, std::void_t<decltype(RowsOf<C>::rows(std::declval<C &>())
 ///
 /// It is made of a contiguous container (std::vector, std::array, std::span, an array of C) of numbers, row after row, or
 /// of rows (std::array, an array of C, what `Row` knows); of a pointer, the number of rows, and the bytes from one row
-/// to the next; and, if it is read, of a single number, which it keeps. It keeps nothing else alive: let it last no
-/// longer than what it is made of.
+/// to the next; and, if it is read, of a single number. It is meant for parameters: it must not outlive what it is made of.
 template <class Element>
 class View {
     static constexpr bool is_input = std::is_const_v<Element>;
@@ -235,7 +237,7 @@ public:
     /// `count` rows that begin at `data`, `stride` bytes apart; 0 if without a gap. As wide as the call asks for.
     template <class Scalar, std::enable_if_t<detail::fits<Element, Scalar>(), int> = 0>
     View(Scalar *data, std::size_t count, std::size_t stride = 0)
-        : View(Rows<Scalar>{data, count, stride, 0}) {}
+        : View(Rows<Scalar>{data, count, stride, any_width}) {}
 
     /// One number, a vertex or a level, or what `Row` knows as one.
     template <class T, class Scalar = typename Row<T>::Scalar,
@@ -251,23 +253,23 @@ public:
 
     /// As C takes it, in rows of `width` numbers; a taut::Error if it has no such rows. Valid as long as this view.
     std::conditional_t<is_input, taut_input, taut_output> c(std::size_t width = 1) const {
-        if (width_ == width || width_ == 0) return {data(), count_, stride_, type_};
+        if (width_ == width || width_ == any_width) return {data(), count_, stride_, type_};
         const bool is_flat = width_ == 1 && stride_ == size_;
-        if (!is_flat || width == 0 || count_ % width != 0)
+        if (!is_flat || (width == 0 ? count_ != 0 : count_ % width != 0))
             detail::bad_argument(TAUT_REASON_BAD_ARGUMENT, std::to_string(count_) + " rows of " + std::to_string(width_) +
                                                                " numbers, where rows of " + std::to_string(width) +
                                                                " are asked for");
-        return {data(), count_ / width, width * size_, type_};
+        return {data(), width == 0 ? 0 : count_ / width, width * size_, type_};
     }
 
-    /// How many rows there are; numbers, if it was made of numbers.
-    std::size_t count() const noexcept { return count_; }
+    /// How many bytes a number has.
+    std::size_t number_size() const noexcept { return size_; }
 
 private:
     using Pointer = std::conditional_t<is_input, const void *, void *>;
 
     template <class Scalar>
-    View(Rows<Scalar> rows)
+    explicit View(Rows<Scalar> rows)
         : data_(rows.data), count_(rows.count), stride_(rows.stride), width_(rows.width), size_(sizeof(Scalar)),
           type_(detail::type_of<std::remove_const_t<Scalar>>()) {}
 
@@ -280,12 +282,47 @@ private:
     Pointer data_ = nullptr;
     std::size_t count_ = 0;
     std::size_t stride_ = 0;
-    std::size_t width_ = 0;
+    std::size_t width_ = any_width;
     std::size_t size_ = 0; // of a number, in bytes
     taut_type type_ = 0;
     bool is_number_ = false;
     alignas(8) unsigned char number_[8] = {};
 };
+
+namespace detail {
+
+/// A copy of rows, for what may outlive them.
+class Copied {
+public:
+    Copied() = default;
+    template <class Element>
+    explicit Copied(const View<Element> &view, std::size_t width = 1) : c_(view.c(width)) {
+        const std::size_t row = width * view.number_size();
+        const std::size_t stride = std::exchange(c_.stride, 0);
+        if (c_.data == nullptr || c_.count == 0) return; // NULL is for C to judge
+        if (c_.count > std::numeric_limits<std::size_t>::max() / row)
+            throw Error(TAUT_STATUS_TOO_LARGE, TAUT_REASON_TOO_MANY_ELEMENTS, TAUT_ELEMENT_NONE, 0, "too many rows");
+        bytes_.resize(c_.count * row);
+        const unsigned char *from = static_cast<const unsigned char *>(c_.data);
+        for (std::size_t i = 0; i < c_.count; i++)
+            std::memcpy(&bytes_[i * row], from + i * (stride == 0 ? row : stride), row);
+    }
+
+    std::size_t count() const noexcept { return c_.count; }
+
+    /// Valid as long as this.
+    taut_input c() const noexcept {
+        taut_input c = c_;
+        c.data = bytes_.empty() ? nullptr : bytes_.data();
+        return c;
+    }
+
+private:
+    std::vector<unsigned char> bytes_;
+    taut_input c_ = {};
+};
+
+} // namespace detail
 
 // --------------------------------------------------------------------------------------------------------- Control
 
@@ -373,7 +410,11 @@ private:
 
 namespace detail {
 
-inline const taut_control *get(const Control *control) noexcept { return control ? control->get() : nullptr; }
+/// What a call of C gets for a control, which need not be.
+inline const taut_control *get(const Control *control) {
+    if (control && !control->get()) bad_argument(TAUT_REASON_NULL_POINTER, "the control was moved from");
+    return control ? control->get() : nullptr;
+}
 
 /// The result of a call that may have run the callback of `control`, whose exception comes first.
 inline void check(taut_status status, const Control *control) {
@@ -504,7 +545,9 @@ struct HeatOptions {
     }
 };
 
-/// Where distances are measured from: vertices, points of the surface, curves on it, numbered in this order. It holds views.
+class Curves;
+
+/// Where distances are measured from: vertices, points of the surface, curves on it, numbered in this order. It keeps copies.
 /// C: taut_sources.
 class Sources {
 public:
@@ -513,29 +556,31 @@ public:
 
     /// Vertices: one, or a container of them, or whatever makes a View<const Index>.
     template <class V, std::enable_if_t<std::is_convertible_v<const V &, View<const Index>>, int> = 0>
-    Sources(const V &vertices) : vertices_(vertices) {}
+    Sources(const V &vertices) : vertices_(View<const Index>(vertices)) {}
 
     /// Points as well: the triangles in which they lie, and rows of three weights of its corners.
     Sources with_points(View<const Index> faces, View<const Real> barycentrics) const {
         Sources sources = *this;
-        sources.faces_ = faces;
-        sources.barycentrics_ = barycentrics;
+        sources.faces_ = detail::Copied(faces);
+        sources.barycentrics_ = detail::Copied(barycentrics, 3);
         return sources;
     }
-    /// Curves as well: as Curves tells its offsets, faces, barycentrics and which are closed.
+    /// Curves as well: such as isolines.
+    Sources with_curves(const Curves &curves) const;
+    /// Curves as well: rows as those of Curves.
     Sources with_curves(View<const Index> offsets, View<const Index> faces, View<const Real> barycentrics,
                         View<const Index> closed = {}) const {
         Sources sources = *this;
-        sources.curve_offsets_ = offsets;
-        sources.curve_faces_ = faces;
-        sources.curve_barycentrics_ = barycentrics;
-        sources.curve_closed_ = closed;
+        sources.curve_offsets_ = detail::Copied(offsets);
+        sources.curve_faces_ = detail::Copied(faces);
+        sources.curve_barycentrics_ = detail::Copied(barycentrics, 3);
+        sources.curve_closed_ = detail::Copied(closed);
         return sources;
     }
     /// A start distance for each source of all kinds, in mesh units.
     Sources with_offsets(View<const Real> offsets) const {
         Sources sources = *this;
-        sources.offsets_ = offsets;
+        sources.offsets_ = detail::Copied(offsets);
         return sources;
     }
 
@@ -551,20 +596,20 @@ public:
         sources.vertices = vertices_.c();
         sources.offsets = offsets_.c();
         sources.faces = faces_.c();
-        sources.barycentrics = barycentrics_.c(3);
+        sources.barycentrics = barycentrics_.c();
         sources.curve_offsets = curve_offsets_.c();
         sources.curve_faces = curve_faces_.c();
-        sources.curve_barycentrics = curve_barycentrics_.c(3);
+        sources.curve_barycentrics = curve_barycentrics_.c();
         sources.curve_closed = curve_closed_.c();
         return sources;
     }
 
 private:
-    View<const Index> vertices_, faces_, curve_offsets_, curve_faces_, curve_closed_;
-    View<const Real> offsets_, barycentrics_, curve_barycentrics_;
+    detail::Copied vertices_, offsets_, faces_, barycentrics_;
+    detail::Copied curve_offsets_, curve_faces_, curve_barycentrics_, curve_closed_;
 };
 
-/// Places that are asked about: vertices, then points of the surface. It holds views. C: taut_targets.
+/// Places that are asked about: vertices, then points of the surface. It keeps copies. C: taut_targets.
 class Targets {
 public:
     /// Every vertex of the mesh.
@@ -572,14 +617,14 @@ public:
 
     /// Vertices: one, or a container of them, or whatever makes a View<const Index>.
     template <class V, std::enable_if_t<std::is_convertible_v<const V &, View<const Index>>, int> = 0>
-    Targets(const V &vertices) : is_every_vertex_(false), vertices_(vertices) {}
+    Targets(const V &vertices) : is_every_vertex_(false), vertices_(View<const Index>(vertices)) {}
 
     /// Points as well, or alone if no vertices were given: as for Sources.
     Targets with_points(View<const Index> faces, View<const Real> barycentrics) const {
         Targets targets = *this;
         targets.is_every_vertex_ = false;
-        targets.faces_ = faces;
-        targets.barycentrics_ = barycentrics;
+        targets.faces_ = detail::Copied(faces);
+        targets.barycentrics_ = detail::Copied(barycentrics, 3);
         return targets;
     }
 
@@ -593,14 +638,13 @@ public:
         taut_targets targets = detail::sized<taut_targets>();
         targets.vertices = vertices_.c();
         targets.faces = faces_.c();
-        targets.barycentrics = barycentrics_.c(3);
+        targets.barycentrics = barycentrics_.c();
         return targets;
     }
 
 private:
     bool is_every_vertex_ = true;
-    View<const Index> vertices_, faces_;
-    View<const Real> barycentrics_;
+    detail::Copied vertices_, faces_, barycentrics_;
 };
 
 namespace detail {
@@ -833,6 +877,10 @@ private:
     friend Curves isolines(const Mesh &, View<const Real>, View<const Real>);
     friend Curves descent_paths(const Mesh &, View<const Real>, const Sources &, const Targets &);
 };
+
+inline Sources Sources::with_curves(const Curves &curves) const {
+    return with_curves(curves.offsets(), curves.faces(), curves.barycentrics(), curves.closed());
+}
 
 /// The lines along which a value per vertex takes given levels. C: taut_isolines_new.
 inline Curves isolines(const Mesh &mesh, View<const Real> values, View<const Real> levels) {
