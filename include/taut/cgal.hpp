@@ -1,5 +1,5 @@
 /*
- * taut for CGAL::Surface_mesh: faces of any size, points of any kernel.
+ * taut for CGAL::Surface_mesh (tested with CGAL 5.5): faces of any size, points of any kernel.
  *
  *     taut::Mesh mesh = taut::make_mesh(surface);
  *     auto d = surface.add_property_map<Surface::Vertex_index, double>("v:distance").first;

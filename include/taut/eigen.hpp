@@ -1,6 +1,6 @@
 /*
- * taut for Eigen, and so for libigl: V with n rows of three coordinates, F with m rows of three vertices, in either order of
- * storage and any numbers that taut takes.
+ * taut for Eigen (tested with 3.4), and so for libigl: V with n rows of three coordinates, F with m rows of three vertices,
+ * in either order of storage and any numbers that taut takes.
  *
  *     taut::Mesh mesh = taut::make_mesh(V, F);
  *     Eigen::VectorXd d(V.rows());

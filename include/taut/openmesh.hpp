@@ -1,5 +1,5 @@
 /*
- * taut for OpenMesh: meshes of triangles or polygons, of any traits.
+ * taut for OpenMesh (tested with 9.0): meshes of triangles or polygons, of any traits.
  *
  *     taut::Mesh mesh = taut::make_mesh(open);
  *     OpenMesh::VProp<double> d(open, "distance");
