@@ -206,6 +206,9 @@ static void reports() {
     CHECK(parts.size() == 2 && parts[0].first_vertex == 0 && parts[1].first_vertex == 5 && parts[1].faces == 1);
     CHECK(report.component_of() == (List{0, 0, 0, 0, 0, 1, 1, 1, taut::none}));
     CHECK((report.nonmanifold_edges() == Pairs{{0, 2}}));
+    const std::vector<taut::BoundaryLoop> chains = report.boundary_loops();
+    CHECK(chains.size() == 3 && !chains[0].is_closed && !chains[1].is_closed && chains[2].is_closed);
+    CHECK(chains.size() == 3 && chains[2].vertices.size() == 3);
     CHECK((report.duplicate_faces() == Pairs{{3, 0}}));
     CHECK((report.duplicate_vertices() == Pairs{{8, 5}}));
     CHECK(report.repeated_index_faces() == List{4} && report.zero_area_faces() == List{5});
@@ -243,15 +246,17 @@ static void heat() {
     const std::vector<double> doubled = solver.with_mesh(mesh.with_positions(twice)).field(std::array{0, 143}).distances();
     for (std::size_t v = 0; v < 144; v++) CHECK(doubled[v] == 2 * distances[v]);
 
-    taut::HeatOptions options;
-    options.laplacian = TAUT_LAPLACIAN_PLAIN;
-    options.boundary = 0.5;
-    options.shift = TAUT_SHIFT_MIN;
-    const taut::HeatSolver plain(mesh, options);
-    CHECK(plain.report().flips == 0 && solver.report().flips > 0 && plain.report().assembly_seconds > 0);
-    CHECK(plain.field(70).distances() != solver.field(70).distances());
-    options.laplacian = 77;
-    CHECK(fails([&] { taut::HeatSolver unknown(mesh, options); }, TAUT_REASON_BAD_ARGUMENT));
+    taut::HeatOptions plain, bounded, shifted, unknown;
+    plain.laplacian = TAUT_LAPLACIAN_PLAIN;
+    bounded.boundary = 0.5;
+    shifted.shift = TAUT_SHIFT_MIN;
+    unknown.solver = 77;
+    const auto late = taut::Sources(std::array{70, 80}).with_offsets(std::array{0.0, 1.0});
+    const auto with = [&](const taut::HeatOptions &options) { return taut::HeatSolver(mesh, options).field(late).distances(); };
+    for (const taut::HeatOptions &options : {plain, bounded, shifted}) CHECK(with(options) != with({}));
+    CHECK(with({})[80] == 1 && with(shifted)[80] != 1);
+    CHECK(fails([&] { with(unknown); }, TAUT_REASON_BAD_ARGUMENT));
+    CHECK(taut::HeatSolver(mesh, plain).report().flips == 0 && solver.report().flips > 0);
 
     std::vector<double> rows = solver.field(3).distances();
     const std::vector<double> second = solver.field(100).distances();
@@ -269,6 +274,9 @@ static void exact() {
     const taut::Mesh mesh = Hills(12).mesh();
     const taut::ExactSolver solver(mesh);
     const taut::Sources ends = std::vector<int>{0, 143}; // a copy
+    const int apart[] = {3, 77, 100};
+    const taut::Sources outer = Indices(apart, 2, 2 * sizeof(int));
+    CHECK(solver.distance_rows(outer) == solver.distance_rows(std::array{3, 100}));
     const taut::ExactField field = solver.field(ends);
     const std::vector<double> distances = field.distances();
     CHECK(field.final_radius() == INF && field.interruption() == TAUT_STATUS_OK);
@@ -355,6 +363,14 @@ static void curves_and_points() {
     const std::vector<double> away = taut::HeatSolver(mesh).field(rings).distances();
     CHECK(away.size() == 144 && taut::ExactSolver(mesh).field(rings).distances()[143] > 1);
     CHECK(taut::HeatSolver(mesh).field(taut::Sources().with_curves(one)).distances() == away);
+
+    // Two sides of the rectangle, and closed its diagonal too, from which the fourth corner is 12 / 5 away.
+    const taut::ExactSolver rectangle(taut::Mesh(CORNERS, FACES));
+    const std::array<Position, 3> corners{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    const auto sides = taut::Sources().with_curves(std::array{0, 3}, std::array{0, 0, 0}, corners);
+    const auto triangle = taut::Sources().with_curves(std::array{0, 3}, std::array{0, 0, 0}, corners, 1);
+    CHECK(rectangle.field(sides).distances()[3] == 3);
+    CHECK(std::abs(rectangle.field(triangle).distances()[3] - 2.4) < 1e-14);
 }
 
 // Long enough that the library looks at the control several times.
@@ -464,30 +480,32 @@ static void exceptions_of_callbacks() {
     CHECK(is_rethrown && exact.field(0, options, &control).interruption() == TAUT_STATUS_CANCELLED);
 }
 
-// Two calls share a control; the callback throws on one thread, and there the exception arrives.
+// What the callback threw on one thread waits for it, whoever else uses the control. The call is C's, which rethrows
+// nothing itself.
 static void exceptions_stay_on_their_thread() {
-    const std::thread::id here = std::this_thread::get_id();
-    std::atomic<bool> other_is_done{false};
-    taut::Control control([&](double) {
-        if (std::this_thread::get_id() != here) return;
-        throw Stopped{1};
-    });
-    bool is_thrown_here = false;
+    const taut::Control control([](double) { throw Stopped{1}; });
+    const taut::Sources sources(0);
+    const taut_sources from = sources.c();
+    taut_exact_field *field = nullptr;
+    CHECK(taut_exact_field_new(long_work().get(), &from, nullptr, control.get(), &field) != TAUT_STATUS_OK);
+    bool is_thrown_elsewhere = false;
     taut_status elsewhere = TAUT_STATUS_OK;
     std::thread other([&] {
-        while (elsewhere == TAUT_STATUS_OK) elsewhere = status_of(control);
-        other_is_done = true;
-    });
-    while (!is_thrown_here && !other_is_done) {
         try {
-            long_work().field(0, {}, &control);
+            elsewhere = status_of(control);
         } catch (const Stopped &) {
-            is_thrown_here = true;
-        } catch (const taut::Error &) {
+            is_thrown_elsewhere = true;
         }
-    }
+    });
     other.join();
-    CHECK(is_thrown_here && elsewhere == TAUT_STATUS_CANCELLED);
+    CHECK(!is_thrown_elsewhere && elsewhere == TAUT_STATUS_CANCELLED);
+    bool is_thrown_here = false;
+    try {
+        control.rethrow();
+    } catch (const Stopped &) {
+        is_thrown_here = true;
+    }
+    CHECK(is_thrown_here);
 }
 
 // One solver on eight threads.

@@ -47,6 +47,9 @@ static void meshes() {
     CHECK(distances(taut::make_mesh(v, f.array() + 0), SOURCE) == expected);
     CHECK(fails([&] { taut::make_mesh(wide, f); }, TAUT_REASON_BAD_ARGUMENT));
     CHECK(fails([&] { taut::make_mesh(Eigen::MatrixXd(v.leftCols(2)), f); }, TAUT_REASON_BAD_ARGUMENT));
+    using Sparse = Eigen::Map<const Matrix<double, DYNAMIC, BY_ROWS>, 0, Eigen::Stride<DYNAMIC, DYNAMIC>>;
+    const Sparse second(wide.data(), 2, 3, Eigen::Stride<DYNAMIC, DYNAMIC>(5, 2));
+    CHECK(fails([&] { taut::Closest(taut::make_mesh(v, f)).points(second); }, TAUT_REASON_BAD_ARGUMENT));
     CHECK(taut::make_mesh(Eigen::MatrixXd(0, 3), Eigen::MatrixXi(0, 3)).vertex_count() == 0);
 }
 

@@ -12,7 +12,7 @@ awk 'BEGIN {
 }' > "$folder/rough.off"
 "$1" "$folder/rough.off" 0 > "$folder/out" 2> "$folder/err" &
 program=$!
-until grep -q % "$folder/err"; do sleep 0.01; done
+until grep -qs % "$folder/err"; do sleep 0.01; done
 kill -INT $program
 status=0
 wait $program || status=$?
