@@ -20,6 +20,9 @@
  * immutable, so any number of threads may use one at once.
  *
  * Every failure is a taut::Error. Structs and enums of numbers are those of C, with the size of structs already set.
+ *
+ * taut/openmesh.hpp, taut/cgal.hpp and taut/eigen.hpp make a Mesh of another library's, by make_mesh, and let its handles,
+ * properties and vectors stand wherever a View is asked for.
  */
 #ifndef TAUT_HPP
 #define TAUT_HPP
@@ -51,7 +54,7 @@
 namespace taut {
 
 /// What `nearest_sources`, `component_of` and `farthest_points` say where there is none, in 32 unsigned bits.
-inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+inline constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
 /// Version of the library that runs, as "0.1.0". C: taut_version.
 inline const char *version() noexcept { return taut_version(); }
@@ -129,7 +132,7 @@ struct Row<T[N]> {
 };
 
 /// The width of rows that are as wide as they have to be.
-inline constexpr std::size_t any_width = std::numeric_limits<std::size_t>::max();
+inline constexpr std::size_t any_width = (std::numeric_limits<std::size_t>::max)();
 
 /// Rows of numbers in memory: `count` rows, `stride` bytes apart, of `width` numbers each.
 template <class Scalar>
@@ -300,7 +303,7 @@ public:
         const std::size_t row = width * view.number_size();
         const std::size_t stride = std::exchange(c_.stride, 0);
         if (c_.data == nullptr || c_.count == 0) return; // NULL is for C to judge
-        if (c_.count > std::numeric_limits<std::size_t>::max() / row)
+        if (c_.count > (std::numeric_limits<std::size_t>::max)() / row)
             throw Error(TAUT_STATUS_TOO_LARGE, TAUT_REASON_TOO_MANY_ELEMENTS, TAUT_ELEMENT_NONE, 0, "too many rows");
         bytes_.resize(c_.count * row);
         const unsigned char *from = static_cast<const unsigned char *>(c_.data);
