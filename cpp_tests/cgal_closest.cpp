@@ -13,20 +13,6 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_tri
 // Rounding, in shares of the bounding box.
 const double TOLERANCE = 1e-14;
 
-static std::vector<double> our_distances(const Peers &peers, const std::vector<double> &points) {
-    taut_closest *closest = nullptr;
-    check(taut_closest_new(peers.taut.get(), &closest));
-    const Handle<taut_closest> owner(closest, taut_closest_free);
-    const std::size_t count = points.size() / 3;
-    std::vector<std::uint32_t> faces(count);
-    std::vector<double> barycentrics(3 * count), distances(count);
-    check(taut_closest_points(closest, taut_input{points.data(), count, 0, TAUT_TYPE_F64, 0}, nullptr,
-                              taut_output{faces.data(), count, 0, TAUT_TYPE_U32, 0},
-                              taut_output{barycentrics.data(), count, 0, TAUT_TYPE_F64, 0},
-                              taut_output{distances.data(), count, 0, TAUT_TYPE_F64, 0}));
-    return distances;
-}
-
 static bool agree(const char *name, const Peers &peers) {
     const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(peers.cgal);
     std::mt19937 random(1);
@@ -35,7 +21,7 @@ static bool agree(const char *name, const Peers &peers) {
         points.push_back(std::uniform_real_distribution<double>(box.min(i % 3), box.max(i % 3))(random));
     const double size = std::sqrt(CGAL::squared_distance(Kernel::Point_3(box.xmin(), box.ymin(), box.zmin()),
                                                          Kernel::Point_3(box.xmax(), box.ymax(), box.zmax())));
-    const std::vector<double> ours = our_distances(peers, points);
+    const std::vector<double> ours = taut::Closest(peers.mesh).points(points).distances;
     const Tree tree(faces(peers.cgal).first, faces(peers.cgal).second, peers.cgal);
     double worst = 0;
     for (std::size_t i = 0; i < ours.size(); i++) {

@@ -38,22 +38,9 @@ static std::vector<double> cgal_distances(const CgalMesh &mesh, std::uint32_t so
 
 static std::vector<double> taut_distances(const Peers &peers, taut_laplacian laplacian, double t,
                                           std::uint32_t source) {
-    taut_heat_options options = {};
-    options.struct_size = sizeof options;
+    taut::HeatOptions options(taut::TimeStep::value(t));
     options.laplacian = laplacian;
-    options.time_step.value = t;
-    taut_heat *heat = nullptr;
-    check(taut_heat_new(peers.taut.get(), &options, nullptr, &heat));
-    const Handle<taut_heat> owner(heat, taut_heat_free);
-    const std::vector<std::uint32_t> vertices{source};
-    const taut_sources sources = from_vertices(vertices);
-    std::vector<double> distances(peers.vertex_count());
-    const taut_output out{distances.data(), distances.size(), 0, TAUT_TYPE_F64, 0};
-    taut_heat_field *field = nullptr;
-    check(taut_heat_field_new(heat, &sources, nullptr, &field));
-    const Handle<taut_heat_field> field_owner(field, taut_heat_field_free);
-    check(taut_heat_field_distances(field, out));
-    return distances;
+    return taut::HeatSolver(peers.mesh, options).field(source).distances();
 }
 
 // The mean of |a - b| as a share of the largest value of b.
@@ -74,7 +61,7 @@ const double HEAT_ERROR = 4e-2;
 template <class Mode>
 static bool agree(const char *name, const Peers &peers, taut_laplacian laplacian, double e) {
     const std::uint32_t source = static_cast<std::uint32_t>(peers.vertex_count() / 3);
-    const auto exact = exact_distances(peers, {source});
+    const auto exact = taut::ExactSolver(peers.mesh).field(source).distances();
     const auto theirs = cgal_distances<Mode>(peers.cgal, source);
     const auto ours = taut_distances(peers, laplacian, e * e, source);
     const double gap = mean_difference(ours, theirs), error = mean_difference(ours, exact);

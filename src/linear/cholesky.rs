@@ -15,12 +15,11 @@
 use super::factor::Factor;
 use super::ordering::Ordering;
 use super::structure::Structure;
-use super::values::Values;
-use super::{Symbolic, faer, not_positive_definite, too_large};
+use super::{Symbolic, faer, not_positive_definite, too_large, zeros};
 use crate::control::Piece;
 use crate::error::Result;
 use nalgebra_sparse::pattern::SparsityPattern;
-use pulp::{Arch, Simd, WithSimd};
+use pulp::{Arch, NullaryFnOnce, Simd, WithSimd};
 use std::array;
 use std::mem::replace;
 use std::sync::Arc;
@@ -66,9 +65,9 @@ impl Analysis {
 impl Symbolic for Analysis {
     fn factor(&self, entries: &[f64], piece: &Piece) -> Result<Factor> {
         let structure = &*self.structure;
-        let mut values = Values::zeros(structure.value_count())?;
+        let mut values = zeros(structure.value_count())?;
         self.places.iter().zip(entries).for_each(|(&place, &entry)| values[place as usize] = entry);
-        Arch::new().dispatch(Factorisation { structure, values: &mut values, piece })?;
+        factorise(structure, &mut values, piece, Arch::new())?;
         Ok(Factor::new(Arc::clone(&self.structure), values))
     }
 
@@ -77,62 +76,36 @@ impl Symbolic for Analysis {
     }
 }
 
-struct Factorisation<'a> {
-    structure: &'a Structure,
-    values: &'a mut [f64],
-    piece: &'a Piece<'a>,
-}
-
-/// With the instructions that the machine has.
-impl WithSimd for Factorisation<'_> {
-    type Output = Result<()>;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) -> Result<()> {
-        // Machines with vectors of numbers have fused products too. Elsewhere these would be slow.
-        match size_of::<S::f64s>() > size_of::<f64>() {
-            true => self.run::<true>(),
-            false => self.run::<false>(),
+/// Replaces the entries of A by those of L.
+fn factorise(structure: &Structure, values: &mut [f64], piece: &Piece, arch: Arch) -> Result<()> {
+    let mut waiting = Waiting::new(structure);
+    let mut row_in_block = vec![0; structure.size()];
+    let mut rows = Vec::new();
+    let mut next_stop = STRIDE;
+    for s in 0..structure.count() {
+        let range = structure.block(s);
+        if range.start >= next_stop {
+            piece.checkpoint(range.start as f64 / structure.value_count() as f64)?;
+            next_stop = range.start + STRIDE;
         }
-    }
-}
-
-impl Factorisation<'_> {
-    #[inline(always)]
-    fn run<const FUSED: bool>(self) -> Result<()> {
-        let Factorisation { structure, values, piece } = self;
-        let mut waiting = Waiting::new(structure);
-        let mut row_in_block = vec![0; structure.size()];
-        let mut rows = Vec::new();
-        let mut next_stop = STRIDE;
-        for s in 0..structure.count() {
-            let range = structure.block(s);
-            if range.start >= next_stop {
-                piece.checkpoint(range.start as f64 / structure.value_count() as f64)?;
-                next_stop = range.start + STRIDE;
-            }
-            for (i, row) in (0..).zip(structure.columns(s).chain(structure.rows(s).iter().copied())) {
-                row_in_block[row as usize] = i;
-            }
-            let (done, rest) = values.split_at_mut(range.start);
-            let mut block = Target { columns: &mut rest[..range.len()], height: structure.height(s), before: 0 };
-            while let Some((d, first)) = waiting.next_for(s) {
-                rows.clear();
-                rows.extend(structure.rows(d)[first..].iter().map(|&row| row_in_block[row as usize]));
-                let count = rows.iter().take_while(|&&row| (row as usize) < structure.width(s)).count();
-                let (columns, height) = (&done[structure.block(d)], structure.height(d));
-                block.subtract::<FUSED>(
-                    &Products { columns, height, first_row: structure.width(d) + first },
-                    &rows,
-                    count,
-                );
-                waiting.put(structure, d, first + count);
-            }
-            factorise_block::<FUSED>(block)?;
-            waiting.put(structure, s, 0);
+        for (i, row) in (0..).zip(structure.columns(s).chain(structure.rows(s).iter().copied())) {
+            row_in_block[row as usize] = i;
         }
-        Ok(())
+        let (done, rest) = values.split_at_mut(range.start);
+        let (block, height) = (&mut rest[..range.len()], structure.height(s));
+        while let Some((d, first)) = waiting.next_for(s) {
+            rows.clear();
+            rows.extend(structure.rows(d)[first..].iter().map(|&row| row_in_block[row as usize]));
+            let count = rows.iter().take_while(|&&row| (row as usize) < structure.width(s)).count();
+            let (columns, first_row) = (&done[structure.block(d)], structure.width(d) + first);
+            let products = Products { columns, height: structure.height(d), first_row };
+            arch.dispatch(Subtraction { columns: block, height, before: 0, products, rows: &rows, count });
+            waiting.put(structure, d, first + count);
+        }
+        factorise_block(block, height, arch)?;
+        waiting.put(structure, s, 0);
     }
+    Ok(())
 }
 
 /// For each supernode the ones whose next row below is among its columns, as a list.
@@ -167,15 +140,8 @@ impl Waiting {
     }
 }
 
-/// Columns of a block that change.
-struct Target<'a> {
-    columns: &'a mut [f64],
-    height: usize,
-    /// How many columns of the block are left of them.
-    before: usize,
-}
-
 /// The products of pairs of rows of some columns.
+#[derive(Clone, Copy)]
 struct Products<'a> {
     columns: &'a [f64],
     height: usize,
@@ -183,18 +149,44 @@ struct Products<'a> {
     first_row: usize,
 }
 
-impl Target<'_> {
-    /// Subtracts the products; the `rows` are where theirs lie in the block, and of the first `count` the columns too.
+/// Subtracts products from columns of a block, with the instructions that the machine has.
+struct Subtraction<'a> {
+    columns: &'a mut [f64],
+    height: usize,
+    /// How many columns of the block are left of these.
+    before: usize,
+    products: Products<'a>,
+    /// Where the rows of the products are in the block.
+    rows: &'a [u32],
+    /// Of how many of them there is a column too.
+    count: usize,
+}
+
+impl WithSimd for Subtraction<'_> {
+    type Output = ();
+
     #[inline(always)]
-    fn subtract<const FUSED: bool>(&mut self, products: &Products, rows: &[u32], count: usize) {
-        for columns in products.columns.chunks(DEPTH * products.height) {
-            let products = Products { columns, ..*products };
-            for j in (0..count).step_by(COLUMNS) {
-                match count - j {
-                    1 => self.subtract_columns::<FUSED, 1>(&products, rows, j),
-                    2 => self.subtract_columns::<FUSED, 2>(&products, rows, j),
-                    3 => self.subtract_columns::<FUSED, 3>(&products, rows, j),
-                    _ => self.subtract_columns::<FUSED, COLUMNS>(&products, rows, j),
+    fn with_simd<S: Simd>(self, _: S) {
+        // Machines with vectors of numbers have fused products too. Elsewhere these would be slow.
+        match size_of::<S::f64s>() > size_of::<f64>() {
+            true => self.run::<true>(),
+            false => self.run::<false>(),
+        }
+    }
+}
+
+impl Subtraction<'_> {
+    #[inline(always)]
+    fn run<const FUSED: bool>(mut self) {
+        let Products { columns, height, .. } = self.products;
+        for columns in columns.chunks(DEPTH * height) {
+            self.products.columns = columns;
+            for j in (0..self.count).step_by(COLUMNS) {
+                match self.count - j {
+                    1 => self.subtract_columns::<FUSED, 1>(j),
+                    2 => self.subtract_columns::<FUSED, 2>(j),
+                    3 => self.subtract_columns::<FUSED, 3>(j),
+                    _ => self.subtract_columns::<FUSED, COLUMNS>(j),
                 }
             }
         }
@@ -202,34 +194,28 @@ impl Target<'_> {
 
     /// C columns from that of the product `j` on.
     #[inline(always)]
-    fn subtract_columns<const FUSED: bool, const C: usize>(&mut self, products: &Products, rows: &[u32], j: usize) {
+    fn subtract_columns<const FUSED: bool, const C: usize>(&mut self, j: usize) {
         let mut i = j;
-        while i < rows.len() {
-            i += match products.height < ROWS {
-                true => self.subtract_tile::<FUSED, 1, C>(products, rows, i, j),
-                false => self.subtract_tile::<FUSED, ROWS, C>(products, rows, i, j),
+        while i < self.rows.len() {
+            i += match self.products.height < ROWS {
+                true => self.subtract_tile::<FUSED, 1, C>(i, j),
+                false => self.subtract_tile::<FUSED, ROWS, C>(i, j),
             };
         }
     }
 
     /// One tile; returns how many of its rows count.
     #[inline(always)]
-    fn subtract_tile<const FUSED: bool, const R: usize, const C: usize>(
-        &mut self,
-        products: &Products,
-        rows: &[u32],
-        i: usize,
-        j: usize,
-    ) -> usize {
-        let first_row = products.first_row;
+    fn subtract_tile<const FUSED: bool, const R: usize, const C: usize>(&mut self, i: usize, j: usize) -> usize {
+        let Products { height, first_row, .. } = self.products;
         // The last tile begins earlier, and what it has twice is left out.
-        let row = (first_row + i).min(products.height - R);
+        let row = (first_row + i).min(height - R);
         let twice = first_row + i - row;
-        let sums = products.tile::<FUSED, R, C>(row, first_row + j);
-        let places = &rows[i..i + R - twice];
+        let sums = self.products.tile::<FUSED, R, C>(row, first_row + j);
+        let places = &self.rows[i..i + R - twice];
         let is_run = twice == 0 && places[R - 1] - places[0] == R as u32 - 1;
         for (c, sums) in sums.iter().enumerate() {
-            let start = (rows[j + c] as usize - self.before) * self.height;
+            let start = (self.rows[j + c] as usize - self.before) * self.height;
             let column = &mut self.columns[start..start + self.height];
             if is_run {
                 let column = &mut column[places[0] as usize..][..R];
@@ -264,48 +250,57 @@ impl Products<'_> {
 }
 
 /// Replaces the columns of a block, from the diagonal down, by those of its factor.
-#[inline(always)]
-fn factorise_block<const FUSED: bool>(block: Target) -> Result<()> {
-    let Target { columns, height, .. } = block;
+fn factorise_block(columns: &mut [f64], height: usize, arch: Arch) -> Result<()> {
     let width = columns.len() / height;
     let rows: Vec<u32> = (0..height as u32).collect();
     for start in (0..width).step_by(COLUMNS) {
         let end = width.min(start + COLUMNS);
-        factorise_panel(&mut columns[start * height..end * height], start, height)?;
+        arch.dispatch(Panel { columns: &mut columns[start * height..end * height], height, start })?;
         if end < width {
             // As a binary counter counts up: the last 2ᵏ panels go into the next 2ᵏ. So each panel goes into each later one
             // once, and mostly together with many others.
             let depth = COLUMNS << (end / COLUMNS).trailing_zeros();
-            let (done, rest) = columns.split_at_mut(end * height);
+            let (done, columns) = columns.split_at_mut(end * height);
             let products = Products { columns: &done[(end - depth) * height..], height, first_row: end };
             let count = depth.min(width - end);
-            Target { columns: rest, height, before: end }.subtract::<FUSED>(&products, &rows[end..], count);
+            arch.dispatch(Subtraction { columns, height, before: end, products, rows: &rows[end..], count });
         }
     }
     Ok(())
 }
 
-/// The same for a few columns, whose diagonal begins in the row `start`.
-#[inline(always)]
-fn factorise_panel(panel: &mut [f64], start: usize, height: usize) -> Result<()> {
-    for c in 0..panel.len() / height {
-        let (before, column) = panel.split_at_mut(c * height);
-        let column = &mut column[start + c..height];
-        for other in before.chunks_exact(height) {
-            let other = &other[start + c..];
-            let factor = other[0];
-            column.iter_mut().zip(other).for_each(|(x, y)| *x -= y * factor);
+/// Replaces a few columns of a block, whose diagonal begins in the row `start`, by those of its factor.
+struct Panel<'a> {
+    columns: &'a mut [f64],
+    height: usize,
+    start: usize,
+}
+
+impl NullaryFnOnce for Panel<'_> {
+    type Output = Result<()>;
+
+    #[inline(always)]
+    fn call(self) -> Result<()> {
+        let Panel { columns, height, start } = self;
+        for c in 0..columns.len() / height {
+            let (before, column) = columns.split_at_mut(c * height);
+            let column = &mut column[start + c..height];
+            for other in before.chunks_exact(height) {
+                let other = &other[start + c..];
+                let factor = other[0];
+                column.iter_mut().zip(other).for_each(|(x, y)| *x -= y * factor);
+            }
+            let pivot = column[0];
+            if pivot.is_nan() || pivot <= 0.0 {
+                return Err(not_positive_definite());
+            }
+            let root = pivot.sqrt();
+            let inverse = 1.0 / root;
+            column.iter_mut().for_each(|x| *x *= inverse);
+            column[0] = root;
         }
-        let pivot = column[0];
-        if pivot.is_nan() || pivot <= 0.0 {
-            return Err(not_positive_definite());
-        }
-        let root = pivot.sqrt();
-        let inverse = 1.0 / root;
-        column.iter_mut().for_each(|x| *x *= inverse);
-        column[0] = root;
+        Ok(())
     }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -344,15 +339,13 @@ mod tests {
     }
 
     /// The largest difference between the factor of a reordered matrix and nalgebra's, which knows no zeros.
-    fn error<const FUSED: bool>(matrix: &DMatrix<f64>, order: Vec<u32>) -> f64 {
+    fn error(arch: Arch, matrix: &DMatrix<f64>, order: &[u32]) -> f64 {
         let (pattern, entries) = lower(matrix);
-        let analysis = Analysis::new(&pattern, Arc::new(Ordering::new(order.clone()))).unwrap();
+        let analysis = Analysis::new(&pattern, Arc::new(Ordering::new(order.to_vec()))).unwrap();
         let structure = &*analysis.structure;
-        let mut values = Values::zeros(structure.value_count()).unwrap();
+        let mut values = vec![0.0; structure.value_count()];
         analysis.places.iter().zip(&entries).for_each(|(&place, &entry)| values[place as usize] = entry);
-        let control = Control::new();
-        let piece = &Piece::whole(&control);
-        Factorisation { structure, values: &mut values, piece }.run::<FUSED>().unwrap();
+        factorise(structure, &mut values, &Piece::whole(&Control::new()), arch).unwrap();
         let at = |i: usize| order[i] as usize;
         let reordered = DMatrix::from_fn(order.len(), order.len(), |i, j| matrix[(at(i), at(j))]);
         let mut left = Cholesky::new(reordered).unwrap().l();
@@ -379,8 +372,9 @@ mod tests {
             let mut order: Vec<u32> = (0..size as u32).collect();
             order.sort_by_key(|&v| (u64::from(v) + 1).wrapping_mul(key | 1));
             let matrix = matrix(size, &edges);
-            prop_assert!(error::<true>(&matrix, order.clone()) < 1e-13);
-            prop_assert!(error::<false>(&matrix, order) < 1e-13);
+            for arch in [Arch::Scalar, Arch::new()] {
+                prop_assert!(error(arch, &matrix, &order) < 1e-13);
+            }
         }
     }
 
@@ -391,8 +385,9 @@ mod tests {
             let edges: Vec<_> = (0..size).flat_map(|a| (0..a).map(move |b| (a, b))).collect();
             let matrix = matrix(size, &edges);
             let order: Vec<u32> = (0..size as u32).rev().collect();
-            assert!(error::<true>(&matrix, order.clone()) < 1e-12, "{size}");
-            assert!(error::<false>(&matrix, order) < 1e-12, "{size}");
+            for arch in [Arch::Scalar, Arch::new()] {
+                assert!(error(arch, &matrix, &order) < 1e-12, "{size} {arch:?}");
+            }
         }
     }
 }

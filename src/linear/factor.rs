@@ -16,7 +16,6 @@
 //! References: T. A. Davis: Direct Methods for Sparse Linear Systems. SIAM, 2006.
 
 use super::structure::Structure;
-use super::values::Values;
 use pulp::{Arch, NullaryFnOnce};
 use std::array;
 use std::sync::Arc;
@@ -26,7 +25,7 @@ use std::sync::Arc;
 pub(crate) struct Factor {
     structure: Arc<Structure>,
     /// The blocks.
-    values: Values,
+    values: Vec<f64>,
 }
 
 /// How many sums a product of vectors is added up in.
@@ -207,7 +206,7 @@ impl<I: Iterator<Item = usize>, const K: usize> NullaryFnOnce for Backward<'_, I
 }
 
 impl Factor {
-    pub(super) fn new(structure: Arc<Structure>, values: Values) -> Factor {
+    pub(super) fn new(structure: Arc<Structure>, values: Vec<f64>) -> Factor {
         Factor { structure, values }
     }
 

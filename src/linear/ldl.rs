@@ -5,7 +5,6 @@
 use super::factor::Factor;
 use super::ordering::Ordering;
 use super::structure::Structure;
-use super::values::Values;
 use super::{Symbolic, not_positive_definite};
 use crate::control::Piece;
 use crate::error::Result;
@@ -73,7 +72,7 @@ impl Symbolic for Analysis {
         let numeric = self.symbolic.clone().factor(matrix).map_err(|_| not_positive_definite())?;
         // sprs-ldl stops only at a pivot that is exactly 0; NaN is not positive either.
         if numeric.d().iter().all(|&pivot| pivot > 0.0) {
-            self.simplicial(&numeric)
+            Ok(self.simplicial(&numeric))
         } else {
             Err(not_positive_definite())
         }
@@ -86,7 +85,7 @@ impl Symbolic for Analysis {
 
 impl Analysis {
     /// L D Lᵀ as L √D (L √D)ᵀ: each column is a supernode of its own.
-    fn simplicial(&self, numeric: &LdlNumeric<f64, usize>) -> Result<Factor> {
+    fn simplicial(&self, numeric: &LdlNumeric<f64, usize>) -> Factor {
         let (l, d) = (numeric.l(), numeric.d());
         let mut columns = Columns::default();
         for (j, column) in l.outer_iterator().enumerate() {
@@ -106,7 +105,7 @@ impl Analysis {
             }
             columns.push(pivot.sqrt(), &[]);
         }
-        columns.factor(Arc::clone(&self.ordering))
+        Ok(columns.factor(Arc::clone(&self.ordering)))
     }
 }
 
@@ -127,13 +126,11 @@ impl Columns {
         self.rows.extend(below.iter().map(|&(row, _)| row as u32));
     }
 
-    fn factor(mut self, ordering: Arc<Ordering>) -> Result<Factor> {
+    fn factor(mut self, ordering: Arc<Ordering>) -> Factor {
         let count = self.row_start.len() as u32;
         self.row_start.push(self.rows.len() as u32);
         let Columns { row_start, rows, values } = self;
         let structure = Structure::new(ordering, (0..=count).collect(), rows, row_start);
-        let mut kept = Values::zeros(values.len())?;
-        kept.copy_from_slice(&values);
-        Ok(Factor::new(Arc::new(structure), kept))
+        Factor::new(Arc::new(structure), values)
     }
 }

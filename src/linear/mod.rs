@@ -22,7 +22,6 @@ mod ldl;
 mod ordering;
 mod separator;
 mod structure;
-mod values;
 
 use crate::control::Piece;
 use crate::error::{Error, Reason, Result};
@@ -77,6 +76,13 @@ pub(crate) fn analyze(solver: Solver, pattern: &SparsityPattern, ordering: Arc<O
         #[cfg(not(feature = "ldl"))]
         Solver::Ldl => Err(Error::new(Reason::MissingFeature, "solver: this build lacks the feature `ldl` (sprs-ldl)")),
     }
+}
+
+/// `len` zeros, or an error where they do not fit in memory.
+fn zeros(len: usize) -> Result<Vec<f64>> {
+    // Asked for and given back first: that makes a lack an error, and leaves zeroing to the system, page by page.
+    Vec::<f64>::new().try_reserve_exact(len).map_err(|_| out_of_memory())?;
+    Ok(vec![0.0; len])
 }
 
 fn out_of_memory() -> Error {

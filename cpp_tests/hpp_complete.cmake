@@ -1,0 +1,11 @@
+# taut.hpp calls every function of the C interface.
+file(STRINGS ${SYMBOLS} functions)
+file(READ ${HEADER} header)
+foreach(function ${functions})
+    if(NOT header MATCHES "[^a-z_]${function}[(,>]")
+        list(APPEND missing ${function})
+    endif()
+endforeach()
+if(missing)
+    message(FATAL_ERROR "${HEADER} does not call ${missing}")
+endif()

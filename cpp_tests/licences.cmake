@@ -1,0 +1,16 @@
+# Neither library of LIBRARIES has code of the LGPL solver in it, nor of the part of faer that was ported from Eigen and is
+# under the MPL, its singular value decomposition.
+string(REPLACE "," ";" LIBRARIES "${LIBRARIES}")
+foreach(library ${LIBRARIES})
+    execute_process(COMMAND ${NM} ${library} OUTPUT_VARIABLE symbols ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
+    if(NOT symbols MATCHES "faer")
+        message(FATAL_ERROR "${library} has no symbols to look at")
+    endif()
+    if(symbols MATCHES "[^\n]*(sprs_ldl|4sprs|bidiag_svd)[^\n]*")
+        message(FATAL_ERROR "${library} has code whose licence we do not want: ${CMAKE_MATCH_0}")
+    endif()
+    file(STRINGS ${library} paths REGEX "sprs-(ldl-)?[0-9]" LIMIT_COUNT 1)
+    if(paths)
+        message(FATAL_ERROR "${library} tells of a source whose licence we do not want: ${paths}")
+    endif()
+endforeach()
