@@ -35,6 +35,8 @@
  * By the heat method: taut_heat_new(mesh, NULL, NULL, &heat), then for each set of sources taut_heat_field_new(heat, &from,
  * NULL, &field) and taut_heat_field_distances(field, out). In the end each handle is freed by its _free.
  *
+ * From C++17 on, taut.hpp says all of this with classes, exceptions and containers, over these functions alone.
+ *
  * A place on the surface that is no vertex is a triangle and the weights of its three corners, in two buffers: a row of one
  * index and a row of three real numbers. taut_closest_points() finds the places of clicks; each is a source or a target as
  * it stands. The shortest path from the second of two clicks back to the first:
