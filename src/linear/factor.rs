@@ -165,42 +165,26 @@ impl Supernode<'_> {
     }
 }
 
-/// The forward solve over some supernodes, with the instructions that the machine has. These change no bit: no sum is
-/// reordered, no product fused.
-struct Forward<'a, I, const K: usize> {
+/// The forward or the backward solve over some supernodes, with the instructions that the machine has. These change no
+/// bit: no sum is reordered, no product fused.
+struct Sweep<'a, I, const FORWARD: bool, const K: usize> {
     factor: &'a Factor,
     supernodes: I,
     y: &'a mut [[f64; K]],
 }
 
-impl<I: Iterator<Item = usize>, const K: usize> NullaryFnOnce for Forward<'_, I, K> {
+impl<I: Iterator<Item = usize>, const FORWARD: bool, const K: usize> NullaryFnOnce for Sweep<'_, I, FORWARD, K> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
         let mut t = Vec::new();
         for s in self.supernodes {
-            self.factor.supernode(s).forward(self.y, &mut t);
-        }
-    }
-}
-
-/// The backward solve over some supernodes, with the instructions that the machine has. These change no bit: no sum is
-/// reordered, no product fused.
-struct Backward<'a, I, const K: usize> {
-    factor: &'a Factor,
-    supernodes: I,
-    y: &'a mut [[f64; K]],
-}
-
-impl<I: Iterator<Item = usize>, const K: usize> NullaryFnOnce for Backward<'_, I, K> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let mut t = Vec::new();
-        for s in self.supernodes {
-            self.factor.supernode(s).backward(self.y, &mut t);
+            let supernode = self.factor.supernode(s);
+            match FORWARD {
+                true => supernode.forward(self.y, &mut t),
+                false => supernode.backward(self.y, &mut t),
+            }
         }
     }
 }
@@ -250,13 +234,13 @@ impl Factor {
 
     /// The forward solve over supernodes in ascending order.
     fn forward_over<const K: usize>(&self, supernodes: impl Iterator<Item = usize>, y: &mut [[f64; K]]) {
-        Arch::new().dispatch(Forward { factor: self, supernodes, y });
+        Arch::new().dispatch(Sweep::<_, true, K> { factor: self, supernodes, y });
     }
 
     /// Replaces y by L⁻ᵀ y.
     pub(super) fn backward<const K: usize>(&self, y: &mut [[f64; K]]) {
         let supernodes = (0..self.structure.count()).rev();
-        Arch::new().dispatch(Backward { factor: self, supernodes, y });
+        Arch::new().dispatch(Sweep::<_, false, K> { factor: self, supernodes, y });
     }
 
     /// Pᵀ x.
