@@ -6,6 +6,7 @@ use clap::{Args, CommandFactory, ValueEnum};
 use std::path::PathBuf;
 use std::time::Duration;
 use taut::{Control, ExactOptions, HeatOptions, Laplacian, Shift, Solver, TimeFormula, TimeScale, TimeStep};
+use taut_eval::FORMULAS;
 
 /// A field of distances: on which mesh, from where and how.
 #[derive(Debug, Args)]
@@ -175,15 +176,6 @@ enum ShiftArg {
     /// The least distance is moved to 0
     Min,
 }
-
-/// The formulas of t by the names they have on the command line.
-pub(crate) const FORMULAS: [(&str, TimeFormula); 5] = [
-    ("mean-edge", TimeFormula::MeanEdge),
-    ("sigma", TimeFormula::Sigma),
-    ("mean-sigma", TimeFormula::MeanSigma),
-    ("median-fit", TimeFormula::MedianFit),
-    ("median-mean", TimeFormula::MedianMean),
-];
 
 fn time_step(text: &str) -> Result<TimeStepArg, String> {
     if let Some(&(_, formula)) = FORMULAS.iter().find(|(name, _)| *name == text) {

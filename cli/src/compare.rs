@@ -1,12 +1,12 @@
 //! `taut compare`: how far the distances of one file are from those of another.
 
-use crate::comparison::Errors;
 use crate::numbers::{self, DISTANCE};
 use crate::{Result, output};
 use clap::Args;
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
+use taut_eval::Errors;
 
 const EXAMPLES: &str = "\
 Example:

@@ -2,7 +2,6 @@
 
 use crate::Result;
 use crate::args::FieldArgs;
-use crate::comparison::{self, Errors};
 use crate::field::Field;
 use crate::input::{self, Places};
 use crate::measured::Seconds;
@@ -13,6 +12,7 @@ use crate::picture::{Picture, PictureArgs, Quantity};
 use clap::Args;
 use std::path::PathBuf;
 use taut::{Mesh, Source, Target};
+use taut_eval::{Errors, percents};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -126,7 +126,7 @@ fn draw<'a>(
     reference: Option<&[f64]>,
 ) -> Result<Option<Output<'a>>> {
     let places = Places::new(sources, mesh)?;
-    let errors = reference.map(|reference| comparison::percents(distances, reference));
+    let errors = reference.map(|reference| percents(distances, reference));
     let (quantity, values) = match &errors {
         Some(errors) => (Quantity::Error, &errors[..]),
         None => (Quantity::Distance, distances),

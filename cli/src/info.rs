@@ -1,6 +1,5 @@
 //! `taut info`: what a mesh is and what is unusual about it, for people or as JSON.
 
-use crate::args::FORMULAS;
 use crate::output;
 use crate::{Result, input};
 use clap::Args;
@@ -9,6 +8,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use taut::{Angle, Component, Mesh, MeshReport, Properties, TimeFormula, TimeScale, TimeStep};
+use taut_eval::FORMULAS;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -5,7 +5,6 @@
 mod args;
 mod cells;
 mod compare;
-mod comparison;
 mod curves;
 mod distance;
 mod drawing;

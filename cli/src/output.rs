@@ -1,7 +1,6 @@
 //! What the command writes.
 
 use crate::Result;
-use crate::comparison::Errors;
 use crate::field::HeatFacts;
 use crate::measured::Seconds;
 use serde::Serialize;
@@ -9,6 +8,7 @@ use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{ErrorKind, Write as _};
 use std::path::Path;
+use taut_eval::Errors;
 
 /// The object of `--json`, key by key; a number that is not finite is written as null.
 #[derive(Debug, Serialize)]
