@@ -19,7 +19,7 @@ mod sweep;
 
 pub use accuracy::{Errors, percents};
 pub use error::{Error, Result};
-pub use gain::{FormulaGain, Interval, Outcome, Ratios, Verdict};
+pub use gain::{Bootstrap, FormulaGain, Interval, Outcome, Ratios, Sources, Verdict, gains};
 pub use model::Model;
 pub use names::{FORMULAS, LAPLACIANS, SCALES, equation};
 pub use probe::{Probe, exact};
