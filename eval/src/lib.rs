@@ -7,6 +7,7 @@
 //! Physics 17 (2019); here "the paper".
 
 mod accuracy;
+mod basic_set;
 mod error;
 mod gain;
 mod model;
@@ -18,6 +19,7 @@ mod study;
 mod sweep;
 
 pub use accuracy::{Errors, percents};
+pub use basic_set::{BasicMesh, basic_set};
 pub use error::{Error, Result};
 pub use gain::{FormulaGain, Interval, Outcome, Ratios, Verdict};
 pub use model::Model;
