@@ -207,6 +207,20 @@ fn an_obj_file_gives_the_mesh_back() {
 }
 
 #[test]
+fn a_crumpled_surface_stays_one() {
+    for seed in 0..40 {
+        let mut below = numbers(seed);
+        let Shape { mut positions, triangles } = shapes::icosphere(3);
+        positions.iter_mut().flatten().for_each(|x| *x += 1e-3 * below(250 + 10 * seed) as f64);
+        let first = model(&Shape { positions, triangles }, 0);
+        for made in basic_set(&first, seed).unwrap() {
+            assert!(is_closed_manifold(&made.model.mesh), "{seed}");
+            assert_eq!(euler(&made.model.mesh), [2]);
+        }
+    }
+}
+
+#[test]
 fn borders_stay() {
     let first = model(&shapes::grid(30, 30), 0);
     let report =

@@ -120,3 +120,62 @@ pub(super) fn length(v: Vector) -> f64 {
     let unit = v.map(|x| x / largest);
     largest * dot(unit, unit).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn flat(corners: &[[f64; 2]]) -> Vec<Vector> {
+        corners.iter().map(|&[x, y]| [x, y, 5.0]).collect()
+    }
+
+    /// Twice the areas of the triangles in the plane.
+    fn areas(corners: &[Vector], triangles: &[[usize; 3]]) -> Vec<f64> {
+        triangles.iter().map(|t| t.map(|i| corners[i])).map(|[a, b, c]| cross(minus(b, a), minus(c, a))[2]).collect()
+    }
+
+    #[test]
+    fn triangles_cover_a_polygon_once() {
+        let shapes: [&[[f64; 2]]; 3] = [
+            &[[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]],
+            &[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0], [0.0, 2.0], [0.0, 1.0]],
+            &[[0.0, 0.0], [5.0, 0.0], [5.0, 4.0], [3.0, 1.0], [2.5, 3.0], [2.0, 1.0], [0.0, 4.0]],
+        ];
+        for (corners, expected) in shapes.map(flat).iter().zip([10.0, 8.0, 24.0]) {
+            let triangles = ears(corners, |_, _| true).unwrap();
+            let areas = areas(corners, &triangles);
+            assert_eq!(areas.len(), corners.len() - 2);
+            assert!(areas.iter().all(|&area| area > 0.0), "{areas:?}");
+            assert_eq!(areas.iter().sum::<f64>(), expected);
+        }
+    }
+
+    #[test]
+    fn what_folds_is_not_cut() {
+        let dart = flat(&[[0.0, 0.0], [3.0, 1.0], [0.0, 2.0], [1.0, 1.0]]);
+        assert_eq!(ears(&dart, |i, j| i.min(j) == 0), None);
+        assert_eq!(areas(&dart, &ears(&dart, |_, _| true).unwrap()), [2.0, 2.0]);
+    }
+
+    #[test]
+    fn slivers_are_not_cut() {
+        for (height, is_cut) in [(0.0, false), (0.008, false), (0.01, true)] {
+            let kite = flat(&[[0.0, 0.0], [1.0, -height], [2.0, 0.0], [1.0, 2.0]]);
+            assert_eq!(ears(&kite, |i, j| i.min(j) == 0).is_some(), is_cut, "{height}");
+            assert!(ears(&kite, |i, j| i.min(j) == 1).is_some());
+        }
+    }
+
+    #[test]
+    fn the_flattest_ear_goes_first() {
+        let roof =
+            [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 1.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0], [0.0, 1.0, 1.0]];
+        let triangles = ears(&roof, |_, _| true).unwrap();
+        // The ridge, from 5 to 2, is an edge.
+        assert!(
+            triangles
+                .iter()
+                .all(|t| t.iter().all(|i| [0, 1, 2, 5].contains(i)) || t.iter().all(|i| (2..=5).contains(i)))
+        );
+    }
+}

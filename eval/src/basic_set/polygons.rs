@@ -76,7 +76,7 @@ impl Polygons {
         let mut returned = 0;
         while let Some(p) = self.holes.pop() {
             if !std::mem::take(&mut self.polygons[p].is_there) {
-                continue; // merged into another
+                continue; // a part of a later one, which has been cut
             }
             let corners = std::mem::take(&mut self.polygons[p].corners);
             let places: Vec<[f64; 3]> = corners.iter().map(|&v| positions[v as usize]).collect();
@@ -86,7 +86,6 @@ impl Polygons {
             } else if let Some(Hole { vertex, around }) = self.polygons[p].hole.take() {
                 self.is_removed[vertex as usize] = false;
                 around.iter().for_each(|&q| self.polygons[q].is_there = true);
-                self.holes.extend(around.iter().filter(|&&q| self.polygons[q].hole.is_some()));
                 returned += 1;
             }
         }
@@ -137,4 +136,43 @@ fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> {
 
 fn edge(a: u32, b: u32) -> [u32; 2] {
     [a.min(b), a.max(b)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn polygons(vertices: usize, triangles: &[[u32; 3]]) -> Polygons {
+        Polygons::new(&Mesh::from_triangles(&vec![[0.0; 3]; vertices], triangles).unwrap())
+    }
+
+    #[test]
+    fn only_the_middle_of_a_disc_can_go() {
+        let disc = [[0, 1, 2], [0, 2, 3], [4, 3, 0], [0, 4, 1]];
+        assert!(polygons(5, &disc).remove(0));
+        assert!(!polygons(6, &disc).remove(1), "on the border");
+        assert!(!polygons(6, &disc).remove(5), "of no triangle");
+        assert!(!polygons(5, &disc[1..]).remove(0), "an open fan");
+        let cap = [[0, 1, 2], [0, 2, 3], [0, 3, 1]];
+        assert!(!polygons(4, &cap).remove(0), "there may be a triangle already");
+        let two_caps = [[0, 1, 2], [0, 2, 3], [0, 3, 1], [0, 4, 5], [0, 5, 6], [0, 6, 4]];
+        assert!(!polygons(7, &two_caps).remove(0), "two discs");
+        let touching = two_caps.map(|t| t.map(|v| if v == 4 { 1 } else { v }));
+        assert!(!polygons(7, &touching).remove(0), "two discs that touch");
+        let repeated = [&disc[..], &[[0, 0, 1]]].concat();
+        assert!(!polygons(5, &repeated).remove(0), "a triangle that is none");
+    }
+
+    #[test]
+    fn holes_of_neighbours_are_one() {
+        let taut::shapes::Shape { positions, triangles } = taut::shapes::grid(3, 4);
+        let mesh = Mesh::from_triangles(&positions, &triangles).unwrap();
+        let mut polygons = Polygons::new(&mesh);
+        assert!(polygons.remove(5) && polygons.remove(9) && !polygons.remove(9));
+        let hole = polygons.polygons.last().unwrap();
+        assert_eq!(hole.corners.iter().copied().collect::<HashSet<_>>(), HashSet::from([0, 1, 4, 6, 8, 10, 13, 14]));
+        assert_eq!(polygons.fill_holes(&positions), 0);
+        assert_eq!(polygons.triangles().count(), triangles.len() - 4);
+        assert!(polygons.triangles().flatten().all(|v| v != 5 && v != 9));
+    }
 }
