@@ -25,4 +25,4 @@ pub use names::{FORMULAS, LAPLACIANS, SCALES, equation};
 pub use probe::{Probe, exact};
 pub use properties::{ModelProperties, Property};
 pub use study::{LaplacianStudy, Study};
-pub use sweep::{Best, Measure, Point, Sweep};
+pub use sweep::{Best, ErrorCurve, Measure, Point, Range, Sweep};
