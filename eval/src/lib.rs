@@ -6,6 +6,7 @@
 //! References: "Wave propagation time optimization for geodesic distances calculation using the Heat Method", Open
 //! Physics 17 (2019); here "the paper".
 
+mod ablation;
 mod accuracy;
 mod error;
 mod gain;
@@ -17,6 +18,7 @@ mod properties;
 mod study;
 mod sweep;
 
+pub use ablation::{Ablation, Choice, ErrorPair, Figures, Row, ablation};
 pub use accuracy::{Errors, percents};
 pub use error::{Error, Result};
 pub use gain::{FormulaGain, Interval, Outcome, Ratios, Verdict};
