@@ -8,6 +8,7 @@
 
 mod ablation;
 mod accuracy;
+mod claims;
 mod error;
 mod gain;
 mod model;
@@ -20,6 +21,7 @@ mod sweep;
 
 pub use ablation::{Ablation, Choice, ErrorPair, Figures, Row, ablation};
 pub use accuracy::{Errors, percents};
+pub use claims::{Claim, Evidence, Finding, claims};
 pub use error::{Error, Result};
 pub use gain::{FormulaGain, Interval, Outcome, Ratios, Verdict};
 pub use model::Model;
