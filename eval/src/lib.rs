@@ -7,7 +7,9 @@
 //! Physics 17 (2019); here "the paper".
 
 mod accuracy;
+mod correlate;
 mod error;
+mod fit;
 mod gain;
 mod model;
 mod names;
@@ -18,7 +20,9 @@ mod study;
 mod sweep;
 
 pub use accuracy::{Errors, percents};
+pub use correlate::{Correlation, Undefined, correlations};
 pub use error::{Error, Result};
+pub use fit::{Coefficient, Fit};
 pub use gain::{FormulaGain, Interval, Outcome, Ratios, Verdict};
 pub use model::Model;
 pub use names::{FORMULAS, LAPLACIANS, SCALES, equation};
