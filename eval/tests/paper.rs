@@ -5,7 +5,7 @@ mod common;
 use common::corpus;
 use std::collections::BTreeMap;
 use std::fs;
-use taut_eval::paper::{is_basic, is_own_tessellation, midpoint_split, table5_name};
+use taut_eval::paper::{is_basic, is_own_tessellation, midpoint_split, table5};
 use taut_eval::{Model, ModelProperties};
 
 /// Each mesh of the corpus that Table 5 names: its number there, and whether it is the paper's own tessellation.
@@ -16,7 +16,7 @@ fn four_models_are_the_papers_own_tessellations() {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap().split('.').next().unwrap();
-        let Some(row) = table5_name(name) else { continue };
+        let Some(row) = table5(name) else { continue };
         let model = Model::read(&path, None).unwrap();
         assert!(!is_basic(&model.mesh));
         found.insert(name.to_owned(), (row.number, is_own_tessellation(row, &ModelProperties::of(&model).unwrap())));

@@ -22,5 +22,5 @@ pub use printed::Printed;
 pub use slips::{SLIPS, Slip};
 pub use split::midpoint_split;
 pub use verification::{
-    BEST_T_BETWEEN_EQUATIONS_1_AND_2, Counts, Figure, HEADLINES, Table5, VERIFICATION, is_own_tessellation, table5_name,
+    Counts, FIGURE_11, Figure, HEADLINES, Places, Table5, VERIFICATION, is_own_tessellation, table5,
 };

@@ -90,7 +90,7 @@ const QUALIFIERS: [&str; 5] = ["base", "nm", "paper", "uniform", "vertex"];
 /// `100k`: `max_planck` is max planck and `lion_100k` lion; `teapot_genus2`, `helmet_genus3` and `seahorse_genus8` are other
 /// shapes, and `fandisk2` is not fandisk.
 #[must_use]
-pub fn table5_name(model_name: &str) -> Option<&'static Table5> {
+pub fn table5(model_name: &str) -> Option<&'static Table5> {
     let name = model_name.to_ascii_lowercase();
     let words = name.split(|c: char| !c.is_alphanumeric());
     let shape: String = words.filter(|word| !QUALIFIERS.contains(word) && !is_size(word)).collect();
@@ -124,11 +124,11 @@ pub fn is_own_tessellation(row: &Table5, ours: &ModelProperties) -> bool {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counts {
     /// The formula's error is less than that of Eq. 1, with 95 % confidence.
-    pub better: u8,
+    pub better: usize,
     /// It is more.
-    pub worse: u8,
+    pub worse: usize,
     /// Neither is certain.
-    pub unsure: u8,
+    pub unsure: usize,
 }
 
 /// A figure that sets a formula beside Eq. 1, on all 35 models.
@@ -152,13 +152,23 @@ pub const HEADLINES: [Figure; 4] = [
     figure(15, TimeFormula::MedianMean, Measure::Median, [18, 6, 11]),
 ];
 
-const fn figure(number: u8, formula: TimeFormula, measure: Measure, [better, worse, unsure]: [u8; 3]) -> Figure {
+const fn figure(number: u8, formula: TimeFormula, measure: Measure, [better, worse, unsure]: [usize; 3]) -> Figure {
     Figure { number, formula, measure, counts: Counts { better, worse, unsure } }
 }
 
-/// Figure 11: for how many models the best t for the mean error is less than both t of Eq. 1 and Eq. 2, between them, and
-/// more than both.
-pub const BEST_T_BETWEEN_EQUATIONS_1_AND_2: [u8; 3] = [10, 16, 9];
+/// Where the best t of some models is, beside the t of two formulas.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Places {
+    /// Between the two.
+    pub between: usize,
+    /// Below both.
+    pub below: usize,
+    /// Above both.
+    pub above: usize,
+}
+
+/// Figure 11: the best t for the mean error, beside Eq. 1 and Eq. 2.
+pub const FIGURE_11: Places = Places { between: 16, below: 10, above: 9 };
 
 #[cfg(test)]
 mod tests {
@@ -166,7 +176,7 @@ mod tests {
 
     #[test]
     fn names_are_told_by_whole_words() {
-        let name = |file: &str| table5_name(file).map(|row| row.name);
+        let name = |file: &str| table5(file).map(|row| row.name);
         for (file, expected) in [
             ("paper_camel", "camel"),
             ("paper_fandisk2", "fandisk2"),
@@ -233,8 +243,9 @@ mod tests {
     fn every_figure_counts_all_models() {
         let models = VERIFICATION.len() + super::super::BASIC.len();
         for Figure { number, counts: Counts { better, worse, unsure }, .. } in HEADLINES {
-            assert_eq!(usize::from(better + worse + unsure), models, "Figure {number}");
+            assert_eq!(better + worse + unsure, models, "Figure {number}");
         }
-        assert_eq!(usize::from(BEST_T_BETWEEN_EQUATIONS_1_AND_2.iter().sum::<u8>()), models);
+        let Places { between, below, above } = FIGURE_11;
+        assert_eq!(between + below + above, models);
     }
 }
