@@ -1,9 +1,10 @@
 //! The basic set: what the least errors, the best t and the properties do along it.
 
-use super::numbers::{fisher, line, pearson};
-use super::printed::{BASIC, EQUATION_4, Printed, SIGMA_R};
 use super::{Claim, Finding, View, claim, list, too_few, word};
-use crate::properties::Property;
+use crate::correlate::correlations;
+use crate::fit::{Coefficient, Fit};
+use crate::paper::{BASIC, EQUATION_4, basic_rows};
+use crate::properties::{ModelProperties, Property};
 use crate::study::Study;
 use crate::sweep::Measure;
 
@@ -30,21 +31,12 @@ pub(super) fn errors_grow(view: &View) -> Claim {
         "Along the basic set the least mean error grows, but the best t does not grow with it: it falls from 4.obj to 5.obj.",
         format!(
             "{} %; t {}",
-            list(BASIC.iter().map(|row| row.mean_error), 5),
-            list(BASIC.iter().map(|row| row.mean_t), 4)
+            list(BASIC.iter().map(|mesh| mesh.best(Measure::Mean).error.value()), 5),
+            list(BASIC.iter().map(|mesh| mesh.best(Measure::Mean).t.value()), 4)
         ),
         "It holds if the error grows at each step and t does not; partly if one of the two is so.",
         judged,
     )
-}
-
-/// The coefficient of each property that varies with the best t.
-fn correlations(basic: &[(&Study, f64)]) -> Vec<(Property, f64)> {
-    let of = |property| {
-        let points: Vec<(f64, f64)> = basic.iter().map(|(study, t)| (study.properties.value(property), *t)).collect();
-        if points.iter().all(|(value, _)| value.is_finite()) { pearson(&points) } else { None }
-    };
-    Property::ALL.into_iter().filter_map(|property| Some((property, of(property)?))).collect()
 }
 
 /// C3: σ has the strongest correlation with the best t.
@@ -53,12 +45,11 @@ pub(super) fn sigma(view: &View) -> Claim {
     let found: Vec<Strongest> = Measure::ALL
         .into_iter()
         .filter_map(|measure| {
-            let pairs: Vec<(&Study, f64)> =
-                basic.iter().map(|(study, of)| (*study, of.sweep.best(measure).t)).collect();
-            Strongest::of(measure, &pairs)
+            let rows = basic.iter().map(|(study, of)| (&study.properties, of.sweep.best(measure).t));
+            Strongest::of(measure, &rows.collect::<Vec<_>>())
         })
         .collect();
-    let judged = if basic.len() < FEWEST_MESHES || found.len() < Measure::ALL.len() {
+    let judged = if found.len() < Measure::ALL.len() {
         too_few("meshes in the basic set")
     } else {
         let first = found.iter().filter(|found| found.stronger.is_empty()).count();
@@ -68,21 +59,15 @@ pub(super) fn sigma(view: &View) -> Claim {
             0 => Finding::DoesNotHold,
             _ => Finding::HoldsPartly,
         };
-        let sentences: Vec<String> = found.iter().map(Strongest::sentence).collect();
-        (sentences.join(" "), verdict)
+        (sentences(&found), verdict)
     };
-    let printed = |measure: usize| {
-        let [r, least] = SIGMA_R[measure];
-        let [low, high] = fisher(r, BASIC.len());
-        format!(
-            "{r} for the {} error, from five points: 95 % interval {low:.2} to {high:.2}, least |r| of another \
-                 property {least}",
-            word(Measure::ALL[measure])
-        )
-    };
+    let printed = Measure::ALL.into_iter().filter_map(|measure| {
+        let rows = basic_rows(measure);
+        Strongest::of(measure, &rows.each_ref().map(|(properties, t)| (properties, *t)))
+    });
     claim(
         "Of all properties the standard deviation σ of the edge lengths has the strongest correlation with the best t.",
-        format!("{}; {}", printed(0), printed(1)),
+        format!("0.9593 and 0.9113. From its tables: {}", sentences(&printed.collect::<Vec<_>>())),
         "It holds if σ has the largest |r| for both errors and no other property's |r| is in the 95 % interval (Fisher) of \
          that of σ; partly if it has the largest |r| for one error or cannot be told apart from others.",
         judged,
@@ -103,67 +88,78 @@ struct Strongest {
 }
 
 impl Strongest {
-    fn of(measure: Measure, basic: &[(&Study, f64)]) -> Option<Strongest> {
-        let all = correlations(basic);
-        let (_, r) = *all.iter().find(|(property, _)| *property == Property::Sigma)?;
-        let others: Vec<(Property, f64)> =
-            all.into_iter().filter(|(property, _)| *property != Property::Sigma).collect();
-        let interval = fisher(r.abs(), basic.len());
-        let stronger =
-            others.iter().filter(|(_, other)| other.abs() > r.abs()).map(|(property, _)| *property).collect();
-        let alike = others.iter().filter(|(_, other)| (interval[0]..=interval[1]).contains(&other.abs())).count();
-        Some(Strongest { measure, r, interval, stronger, alike, others: others.len() })
+    /// `None` where there are too few rows for an interval, or σ or t does not vary.
+    fn of(measure: Measure, rows: &[(&ModelProperties, f64)]) -> Option<Strongest> {
+        let table = correlations(rows);
+        let known = || table.iter().filter_map(|(property, found)| Some((*property, found.ok()?)));
+        let (_, sigma) = known().find(|(property, _)| *property == Property::Sigma)?;
+        let [low, high] = sigma.interval?;
+        let interval = if sigma.r < 0.0 { [-high, -low] } else { [low, high] };
+        let others = || known().filter(|(property, _)| *property != Property::Sigma);
+        let size = |r: f64| r.abs();
+        Some(Strongest {
+            measure,
+            r: sigma.r,
+            interval,
+            stronger: others()
+                .filter(|(_, other)| size(other.r) > size(sigma.r))
+                .map(|(property, _)| property)
+                .collect(),
+            alike: others().filter(|(_, other)| (interval[0]..=interval[1]).contains(&size(other.r))).count(),
+            others: others().count(),
+        })
     }
 
     fn sentence(&self) -> String {
-        let [low, high] = self.interval;
-        let stronger: Vec<&str> = self.stronger.iter().map(|property| property.symbol()).collect();
+        let Strongest { measure, r, interval: [low, high], stronger, alike, others } = self;
+        let stronger: Vec<&str> = stronger.iter().map(|property| property.symbol()).collect();
         let rank =
             if stronger.is_empty() { "the strongest".to_owned() } else { format!("behind {}", stronger.join(", ")) };
+        let error = word(*measure);
         format!(
-            "For the {} error r = {:.4}, {rank}; 95 % interval of |r| {low:.2} to {high:.2}, in which {} of the {} others are.",
-            word(self.measure),
-            self.r,
-            self.alike,
-            self.others
+            "{error} error: r = {r:.4}, {rank}; 95 % interval of |r| {low:.2} to {high:.2}, in which {alike} of {others} \
+             others are."
         )
     }
+}
+
+fn sentences(found: &[Strongest]) -> String {
+    found.iter().map(Strongest::sentence).collect::<Vec<String>>().join(" ")
 }
 
 /// C4: Eq. 4 is the regression of the best t for the median error on σ.
 pub(super) fn regression(view: &View) -> Claim {
     let basic = view.basic();
-    let points: Vec<(f64, f64)> = basic.iter().map(|(study, of)| (study.properties.sigma, of.sweep.median.t)).collect();
-    let judged = match line(&points) {
-        Some(line) if points.len() >= FEWEST_MESHES => {
-            let off = (line.slope - EQUATION_4[0]).abs();
-            let verdict = match off <= line.slope_error {
-                true if line.slope_error <= 0.5 * EQUATION_4[0] => Finding::Holds,
+    let rows: Vec<_> = basic.iter().map(|(study, of)| (&study.properties, of.sweep.median.t)).collect();
+    let [factor, constant] = EQUATION_4.map(|number| number.value());
+    let judged = match Fit::of_property(Property::Sigma, &rows) {
+        Ok(fit) if rows.len() >= FEWEST_MESHES => {
+            let [low, high] = fit.slope.interval;
+            let verdict = match (low..=high).contains(&factor) {
+                true if high - low <= factor => Finding::Holds,
                 true => Finding::HoldsPartly,
                 false => Finding::DoesNotHold,
             };
-            let ours = format!(
-                "On our set t = ({:.3} ± {:.3}) σ {:+.4}, which explains {:.0} % of the variance.",
-                line.slope,
-                line.slope_error,
-                line.constant,
-                100.0 * line.r_squared
-            );
-            (ours, verdict)
+            (format!("{}.", sloped(&fit)), verdict)
         }
         _ => too_few("meshes in the basic set"),
     };
-    let printed: Vec<(f64, f64)> = BASIC.iter().map(|row| (row.sigma, row.median_t)).collect();
-    let recomputed = line(&printed).map_or(String::new(), |line| {
-        format!("; its printed t and σ give t = ({:.5} ± {:.2}) σ {:+.5}", line.slope, line.slope_error, line.constant)
-    });
+    let rows = basic_rows(Measure::Median);
+    let recomputed = Fit::of_property(Property::Sigma, &rows.each_ref().map(|(properties, t)| (properties, *t)));
     claim(
         "The best t for the median error is proportional to σ: Eq. 4 is its linear regression.",
-        format!("t = {} σ {:+}{recomputed}", EQUATION_4[0], EQUATION_4[1]),
-        "It holds if the 95 % confidence interval of our slope holds the paper's and is no wider than half of it to either \
-         side; partly if it is wider.",
+        format!("t = {factor} σ {constant:+}; from its tables {}", recomputed.as_ref().map_or(String::new(), sloped)),
+        "It holds if the 95 % confidence interval of our slope holds the paper's and is no wider than that is large; partly \
+         if it is wider.",
         judged,
     )
+}
+
+/// t as a function of σ.
+fn sloped(fit: &Fit) -> String {
+    let Coefficient { value: slope, interval: [low, high], .. } = fit.slope;
+    let (constant, share) = (fit.intercept.value, 100.0 * fit.r_squared);
+    format!("t = {slope:.5} σ {constant:+.5}, slope {low:.2} to {high:.2} with 95 % confidence, R² {share:.0} %")
 }
 
 /// C11: anisotropy and σ grow linearly with the removed vertices.
@@ -173,13 +169,12 @@ pub(super) fn trends(view: &View) -> Claim {
     let ours = |property: Property| {
         let first = basic.first().map_or(f64::NAN, |study| study.properties.vertices as f64);
         let point =
-            |study: &Study| (removed(study.properties.vertices as f64, first), study.properties.value(property));
-        let points: Vec<(f64, f64)> = basic.iter().map(point).collect();
-        if points.iter().all(|(_, value)| value.is_finite()) { line(&points) } else { None }
+            |study: &Study| [removed(study.properties.vertices as f64, first), study.properties.value(property)];
+        Fit::of(&basic.iter().map(point).collect::<Vec<[f64; 2]>>())
     };
     let judged = match (ours(Property::Anisotropy), ours(Property::Sigma)) {
-        (Some(g), Some(sigma)) if basic.len() >= FEWEST_MESHES => {
-            let rises = g.slope > 0.0 && sigma.slope > 0.0;
+        (Ok(g), Ok(sigma)) if basic.len() >= FEWEST_MESHES => {
+            let rises = g.slope.value > 0.0 && sigma.slope.value > 0.0;
             let least = g.r_squared.min(sigma.r_squared);
             let verdict = match (rises, least) {
                 (true, 0.95..) => Finding::Holds,
@@ -191,24 +186,25 @@ pub(super) fn trends(view: &View) -> Claim {
                  each percent of the vertices.",
                 100.0 * g.r_squared,
                 100.0 * sigma.r_squared,
-                g.slope,
-                sigma.slope
+                g.slope.value,
+                sigma.slope.value
             );
             (ours, verdict)
         }
         _ => too_few("meshes in the basic set"),
     };
-    let printed = |of: fn(&Printed) -> f64| {
-        let points: Vec<(f64, f64)> =
-            BASIC.iter().map(|row| (removed(row.vertices, BASIC[0].vertices), of(row))).collect();
-        line(&points).map_or(0.0, |line| 100.0 * line.r_squared)
+    let printed = |property| {
+        let value = |mesh: usize, property| BASIC[mesh].printed(property).value();
+        let point =
+            |mesh| [removed(value(mesh, Property::Vertices), value(0, Property::Vertices)), value(mesh, property)];
+        Fit::of(&[0, 1, 2, 3, 4].map(point)).map_or(0.0, |fit| 100.0 * fit.r_squared)
     };
     claim(
         "Along the basic set the anisotropy g and the standard deviation σ of the edges grow linearly.",
         format!(
             "Figure 5; in its Tables 1 and 2 lines explain {:.1} % of the variance of g and {:.1} % of that of σ",
-            printed(|row| row.anisotropy),
-            printed(|row| row.sigma)
+            printed(Property::Anisotropy),
+            printed(Property::Sigma)
         ),
         "Over the share of removed vertices. It holds if both grow and a line explains 95 % of both; partly from 80 % on.",
         judged,
@@ -251,7 +247,9 @@ mod tests {
         let claim = judged("C3", &[], &basic());
         assert_eq!(claim.verdict, Finding::HoldsPartly);
         assert!(claim.ours.contains("r = 0.9594, the strongest; 95 % interval of |r| 0.50 to 1.00"), "{}", claim.ours);
-        assert!(claim.paper.contains("0.9593 for the mean error, from five points: 95 % interval 0.50 to 1.00"));
+        assert!(
+            claim.paper.contains("r = 0.9594, the strongest; 95 % interval of |r| 0.50 to 1.00, in which 16 of 16")
+        );
         // t follows σ closely and nothing else varies as it does.
         let alone = changed(|place, study| {
             let p = &mut study.properties;
@@ -279,7 +277,11 @@ mod tests {
         };
         let claim = judged("C4", &[], &basic());
         assert_eq!(claim.verdict, Finding::HoldsPartly);
-        assert!(claim.ours.contains("(1.012 ± 0.84") && claim.paper.contains("(1.01214 ± 0.84"), "{claim:?}");
+        assert!(
+            claim.ours.contains("1.01214 σ -0.00011, slope 0.17")
+                && claim.paper.contains("1.01214 σ -0.00011, slope 0.17"),
+            "{claim:?}"
+        );
         assert_eq!(verdict("C4", &sloped(1.012, 1e-4)), Finding::Holds);
         assert_eq!(verdict("C4", &sloped(2.0, 1e-4)), Finding::DoesNotHold);
         assert_eq!(verdict("C4", &sloped(0.0, 0.0)), Finding::CannotTell);

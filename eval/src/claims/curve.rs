@@ -1,8 +1,8 @@
 //! The error as a function of t.
 
-use super::numbers::{Line, line};
 use super::{Claim, FEWEST_MODELS, Finding, View, by_share, claim, outcome, too_few};
 use crate::accuracy::median;
+use crate::fit::Fit;
 use crate::study::LaplacianStudy;
 use crate::sweep::{Measure, Point, Sweep};
 use taut::{TimeFormula, TimeScale};
@@ -20,7 +20,7 @@ pub(super) fn valley(view: &View) -> Claim {
         let single = models.iter().filter(|(_, of)| minima(&of.sweep.points) == 1).count();
         let most = models.iter().map(|(_, of)| minima(&of.sweep.points)).max().unwrap_or(0);
         let middle = |of: fn(&Shape) -> f64| median(shapes.iter().map(of).collect());
-        let [left, right] = [middle(|shape| shape.left.slope), middle(|shape| shape.right.slope)];
+        let [left, right] = [middle(|shape| shape.left.slope.value), middle(|shape| shape.right.slope.value)];
         let r_squared = middle(|shape| shape.left.r_squared.min(shape.right.r_squared));
         let is_valley = r_squared >= 0.9 && left < 0.0 && right > 0.0 && (0.5..=2.0).contains(&(-right / left));
         let ours = format!(
@@ -66,27 +66,23 @@ fn minima(points: &[Point]) -> usize {
 
 /// Lines through the mean error over log₁₀ t, one decade to the left and one to the right of the best t.
 struct Shape {
-    left: Line,
-    right: Line,
+    left: Fit,
+    right: Fit,
 }
 
 impl Shape {
     fn of(sweep: &Sweep) -> Option<Shape> {
         let best = sweep.mean.t;
         let side = |low: f64, high: f64| {
-            let mut last = 0.0;
-            // The sweep is dense around the best t, which shall not count for more.
-            let is_apart = |t: f64| {
-                t >= 1.2 * last && {
-                    last = t;
-                    true
+            let mut spread: Vec<[f64; 2]> = Vec::new();
+            for point in sweep.points.iter().filter(|point| (low..=high).contains(&point.t)) {
+                let log = point.t.log10();
+                // The sweep is dense around the best t, which shall not count for more.
+                if spread.last().is_none_or(|last| log - last[0] >= 0.08) {
+                    spread.push([log, point.mean]);
                 }
-            };
-            let mut is_apart = is_apart;
-            let inside = sweep.points.iter().filter(|point| (low..=high).contains(&point.t));
-            let spread: Vec<(f64, f64)> =
-                inside.filter(|point| is_apart(point.t)).map(|point| (point.t.log10(), point.mean)).collect();
-            if spread.len() < 3 { None } else { line(&spread) }
+            }
+            Fit::of(&spread).ok()
         };
         Some(Shape { left: side(best / 10.0, best)?, right: side(best, 10.0 * best)? })
     }

@@ -1,29 +1,14 @@
 //! The formulas beside Eq. 1.
 
-use super::numbers::geometric_mean;
-use super::printed::{MODELS, PLACES};
 use super::{Claim, FEWEST_MODELS, Finding, View, by_share, claim, gain, outcome, too_few, word};
 use crate::accuracy::median;
 use crate::gain::{Interval, Outcome, Verdict};
 use crate::names::equation;
+use crate::paper::{self, Counts, FIGURE_11, Figure, HEADLINES, Places, table5};
+use crate::properties::Property;
 use crate::study::{LaplacianStudy, Study};
 use crate::sweep::Measure;
 use taut::{Laplacian, TimeFormula, TimeScale};
-
-/// A formula, the error it is for, and on how many models it is better than Eq. 1, worse, and neither for sure.
-struct Counted {
-    formula: TimeFormula,
-    measure: Measure,
-    printed: [usize; 3],
-}
-
-/// Figures 10, 12, 13 and 15.
-const COUNTED: [Counted; 4] = [
-    Counted { formula: TimeFormula::Sigma, measure: Measure::Mean, printed: [21, 10, 4] },
-    Counted { formula: TimeFormula::MeanSigma, measure: Measure::Mean, printed: [21, 4, 10] },
-    Counted { formula: TimeFormula::MedianFit, measure: Measure::Median, printed: [19, 11, 5] },
-    Counted { formula: TimeFormula::MedianMean, measure: Measure::Median, printed: [18, 6, 11] },
-];
 
 /// What the bootstrap draws.
 #[derive(Clone, Copy)]
@@ -45,69 +30,92 @@ fn ratio(of: &LaplacianStudy, formula: TimeFormula, measure: Measure, over: Over
     })
 }
 
-/// On how many models the formula is better, worse, and neither for sure.
-fn tally(models: &[(&Study, &LaplacianStudy)], counted: &Counted, over: Over) -> [usize; 3] {
-    let verdicts = models.iter().filter_map(|(_, of)| ratio(of, counted.formula, counted.measure, over));
-    verdicts.fold([0; 3], |[better, worse, unsure], interval| match interval.verdict() {
-        Verdict::Better => [better + 1, worse, unsure],
-        Verdict::Worse => [better, worse + 1, unsure],
-        Verdict::Unsure => [better, worse, unsure + 1],
-    })
+/// On how many models a formula is better.
+fn tally(models: &[(&Study, &LaplacianStudy)], figure: &Figure, over: Over) -> Counts {
+    let verdicts = models.iter().filter_map(|(_, of)| ratio(of, figure.formula, figure.measure, over));
+    let mut counts = Counts { better: 0, worse: 0, unsure: 0 };
+    for interval in verdicts {
+        *match interval.verdict() {
+            Verdict::Better => &mut counts.better,
+            Verdict::Worse => &mut counts.worse,
+            Verdict::Unsure => &mut counts.unsure,
+        } += 1;
+    }
+    counts
 }
 
-fn slashes([better, worse, unsure]: [usize; 3]) -> String {
-    format!("{better}/{worse}/{unsure}")
+fn all(counts: Counts) -> usize {
+    counts.better + counts.worse + counts.unsure
 }
 
-fn by_sources(tally: [usize; 3]) -> String {
-    if tally == [0; 3] { "from one source only".to_owned() } else { slashes(tally) }
+fn slashes(counts: Counts) -> String {
+    match all(counts) {
+        0 => "unknown".to_owned(),
+        _ => format!("{}/{}/{}", counts.better, counts.worse, counts.unsure),
+    }
+}
+
+/// Whether a model has the paper's own triangles.
+fn is_own(study: &Study) -> bool {
+    let [first, ..] = &paper::BASIC;
+    let is_first = [Property::Vertices, Property::Sigma]
+        .into_iter()
+        .all(|property| first.printed(property).agrees(study.properties.value(property)));
+    is_first || table5(&study.model).is_some_and(|row| paper::is_own_tessellation(row, &study.properties))
+}
+
+/// The geometric mean of what is positive; `None` of nothing.
+fn geometric_mean(values: impl Iterator<Item = f64>) -> Option<f64> {
+    let logarithms: Vec<f64> = values.filter(|value| *value > 0.0 && value.is_finite()).map(f64::ln).collect();
+    let mean = logarithms.iter().sum::<f64>() / logarithms.len() as f64;
+    if logarithms.is_empty() { None } else { Some(mean.exp()) }
 }
 
 /// C5 to C8: on most models the formula is better than Eq. 1.
 pub(super) fn formulas(view: &View) -> [Claim; 4] {
-    COUNTED.map(|counted| {
-        let name = equation(counted.formula);
+    HEADLINES.map(|figure| {
+        let (name, error) = (equation(figure.formula), word(figure.measure));
         claim(
-            &format!(
-                "With {name} the {} error is, with 95 % confidence, less than with Eq. 1 on most models.",
-                word(counted.measure)
+            &format!("With {name} the {error} error is less than with Eq. 1 on most models, with 95 % confidence."),
+            format!(
+                "Figure {}: {} of {} models better/worse/unsure",
+                figure.number,
+                slashes(figure.counts),
+                all(figure.counts)
             ),
-            format!("{} of {MODELS} models better/worse/unsure", slashes(counted.printed)),
             "It holds if the formula is better on more models than worse, and on a share of them that is no more than ten \
              percentage points below the paper's; partly if it is better on more than worse. Both for intervals by \
              vertices and, where there are several sources, by sources: partly too where these two differ.",
-            counts(view, &counted),
+            counts(view, &figure),
         )
     })
 }
 
-fn counts(view: &View, counted: &Counted) -> (String, Finding) {
+fn counts(view: &View, figure: &Figure) -> (String, Finding) {
     let models = view.models();
-    let own: Vec<_> = models.iter().copied().filter(|(study, _)| view.evidence.own.contains(&&*study.model)).collect();
-    let [vertices, sources] = [Over::Vertices, Over::Sources].map(|over| tally(&models, counted, over));
-    let judged = |tally: [usize; 3]| {
-        let all = tally.iter().sum::<usize>();
-        let share = |part: usize, whole: usize| part as f64 / whole as f64;
-        match tally {
-            _ if all < FEWEST_MODELS => None,
-            [better, worse, _] if better <= worse => Some(Finding::DoesNotHold),
-            [better, ..] if share(better, all) < share(counted.printed[0], MODELS) - 0.1 => Some(Finding::HoldsPartly),
-            _ => Some(Finding::Holds),
-        }
+    let own: Vec<_> = models.iter().copied().filter(|(study, _)| is_own(study)).collect();
+    let [vertices, sources] = [Over::Vertices, Over::Sources].map(|over| tally(&models, figure, over));
+    let share = |counts: Counts| counts.better as f64 / all(counts) as f64;
+    let judged = |counts: Counts| match counts {
+        _ if all(counts) < FEWEST_MODELS => None,
+        Counts { better, worse, .. } if better <= worse => Some(Finding::DoesNotHold),
+        _ if share(counts) < share(figure.counts) - 0.1 => Some(Finding::HoldsPartly),
+        _ => Some(Finding::Holds),
     };
     let Some(by_vertices) = judged(vertices) else { return too_few("models on which it gives a t") };
     let verdict = match judged(sources) {
         Some(by_sources) if by_sources != by_vertices => Finding::HoldsPartly,
         _ => by_vertices,
     };
-    let refused = models.len() - vertices.iter().sum::<usize>();
     let ours = format!(
-        "By vertices {} of {} models, by sources {}; on the paper's own tessellations {} and {}; refused on {refused}.",
+        "By vertices {} of {} models, by sources {}; on {} of the paper's own tessellations {} and {}; refused on {}.",
         slashes(vertices),
         models.len(),
         slashes(sources),
-        slashes(tally(&own, counted, Over::Vertices)),
-        slashes(tally(&own, counted, Over::Sources))
+        own.len(),
+        slashes(tally(&own, figure, Over::Vertices)),
+        slashes(tally(&own, figure, Over::Sources)),
+        models.len() - all(vertices)
     );
     (ours, verdict)
 }
@@ -115,24 +123,25 @@ fn counts(view: &View, counted: &Counted) -> (String, Finding) {
 /// C9: where it is better, the gain is mostly above 20 to 30 %.
 pub(super) fn sizes(view: &View) -> Claim {
     let models = view.models();
-    let large = [(&COUNTED[1], 0.2), (&COUNTED[3], 0.3)].map(|(counted, least)| {
+    let [_, mean, _, median_error] = &HEADLINES;
+    let large = [(mean, 0.2), (median_error, 0.3)].map(|(figure, least)| {
         let all: Vec<Interval> =
-            models.iter().filter_map(|(_, of)| ratio(of, counted.formula, counted.measure, Over::Vertices)).collect();
+            models.iter().filter_map(|(_, of)| ratio(of, figure.formula, figure.measure, Over::Vertices)).collect();
         let better = all.iter().filter(|interval| interval.verdict() == Verdict::Better);
         let above = better.clone().filter(|interval| 1.0 - interval.ratio > least).count();
         let middle = median(all.iter().map(|interval| interval.ratio).collect());
-        (counted, least, above, better.count(), all.len(), middle)
+        (figure, least, above, better.count(), all.len(), middle)
     });
     let judged = if large.iter().any(|&(.., all, _)| all < FEWEST_MODELS) {
         too_few("models")
     } else {
         let mostly = large.iter().filter(|&&(_, _, above, better, ..)| 2 * above > better).count();
         let verdict = [Finding::DoesNotHold, Finding::HoldsPartly, Finding::Holds][mostly];
-        let sentences = large.map(|(counted, least, above, better, all, middle)| {
+        let sentences = large.map(|(figure, least, above, better, all, middle)| {
             format!(
                 "{}: {above} of the {better} models on which it is better gain more than {:.0} %; the median gain over all \
                  {all} is {}.",
-                equation(counted.formula),
+                equation(figure.formula),
                 100.0 * least,
                 gain(middle)
             )
@@ -169,10 +178,11 @@ pub(super) fn places(view: &View) -> Claim {
         };
         (format!("Between them {between}, below both {below}, above both {above}."), verdict)
     };
-    let [between, below, above] = PLACES;
+    let Places { between, below, above } = FIGURE_11;
+    let models = between + below + above;
     claim(
         "The best t for the mean error is between those of Eq. 1 and Eq. 2 for many models.",
-        format!("between them {between}, below both {below}, above both {above} of {MODELS}"),
+        format!("between them {between}, below both {below}, above both {above} of {models}"),
         "It holds if it is between them on more than half of the models; partly if that is no less frequent than below both \
          and than above both, as with the paper's figures.",
         judged,
@@ -184,11 +194,11 @@ pub(super) fn accuracy(view: &View) -> Claim {
     let models = view.models();
     let mean = |formula: TimeFormula| {
         let ratios = models.iter().filter_map(|(_, of)| ratio(of, formula, Measure::Mean, Over::Vertices));
-        geometric_mean(&ratios.map(|interval| interval.ratio).filter(|ratio| *ratio > 0.0).collect::<Vec<f64>>())
+        geometric_mean(ratios.map(|interval| interval.ratio))
     };
     let original = |of: &LaplacianStudy| outcome(of, TimeFormula::MeanEdge, TimeScale::Paper).map(|given| given.mean);
     let of_best = models.iter().filter_map(|(_, of)| Some(of.sweep.mean.error / original(of)?));
-    let any_t = geometric_mean(&of_best.filter(|ratio| *ratio > 0.0).collect::<Vec<f64>>());
+    let any_t = geometric_mean(of_best);
     let judged = match (mean(TimeFormula::Sigma), mean(TimeFormula::MeanSigma), any_t) {
         (Some(sigma), Some(both), Some(any_t)) if models.len() >= FEWEST_MODELS => {
             let (best, formula) = if sigma < both { (sigma, "Eq. 2") } else { (both, "Eq. 3") };
@@ -225,7 +235,7 @@ fn delaunay(studies: &[Study]) -> String {
     let ratio = |study| Some(mean(study, Laplacian::Intrinsic)? / mean(study, Laplacian::Plain)?);
     let ratios: Vec<f64> = studies.iter().filter_map(ratio).filter(|ratio| *ratio > 0.0 && ratio.is_finite()).collect();
     let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
-    geometric_mean(&ratios).map_or(String::new(), |ratio| {
+    geometric_mean(ratios.iter().copied()).map_or(String::new(), |ratio| {
         format!(
             "Intrinsic Delaunay triangles instead of plain cotangents gain {} at the same Eq. 1, and up to {}.",
             gain(ratio),
@@ -243,7 +253,7 @@ pub(super) fn units(view: &View) -> Claim {
     let is_near = |&(paper, raw): &(f64, Option<f64>)| raw.is_some_and(|raw| (raw / paper).ln().abs() <= 1.1f64.ln());
     let near = pairs.iter().filter(|pair| is_near(pair)).count();
     let ratios: Vec<f64> = pairs.iter().filter_map(|&(paper, raw)| Some(raw? / paper)).filter(|r| *r > 0.0).collect();
-    let judged = match geometric_mean(&ratios) {
+    let judged = match geometric_mean(ratios.iter().copied()) {
         Some(factor) if pairs.len() >= FEWEST_MODELS => {
             let most = ratios.iter().copied().fold(0.0, f64::max);
             let refused = pairs.len() - ratios.len();
@@ -273,7 +283,8 @@ mod tests {
     /// Six models, the first `changed` of which are changed.
     fn models(changed: usize, change: impl Fn(&mut LaplacianStudy)) -> Vec<Study> {
         let mut studies = vec![study("m"); 6];
-        studies[5].model = "own".to_owned();
+        let own = &mut studies[5].properties;
+        (own.vertices, own.sigma) = (14290, 0.02505);
         studies[..changed].iter_mut().for_each(|study| change(&mut study.laplacians[0]));
         studies
     }
@@ -305,8 +316,8 @@ mod tests {
             assert_eq!(verdict(id, &models(0, set(2.0, None))[..4]), Finding::CannotTell);
         }
         let ours = judged("C5", &models(2, set(2.0, Some(1.0))), &[]).ours;
-        let expected = "By vertices 4/2/0 of 6 models, by sources 4/0/2; on the paper's own tessellations 1/0/0 and 1/0/0; \
-                        refused on 0.";
+        let expected = "By vertices 4/2/0 of 6 models, by sources 4/0/2; on 1 of the paper's own tessellations 1/0/0 and \
+                        1/0/0; refused on 0.";
         assert_eq!(ours, expected);
     }
 

@@ -7,8 +7,6 @@ mod basic;
 mod boundary;
 mod curve;
 mod gains;
-mod numbers;
-mod printed;
 #[cfg(test)]
 mod synthetic;
 
@@ -53,10 +51,8 @@ pub struct Claim {
 /// What the claims are judged by.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Evidence<'a> {
-    /// All models that formulas are tried on.
+    /// All models that formulas are tried on; the paper has the basic set among its 35.
     pub studies: &'a [Study],
-    /// Which of them have the paper's own triangles, by their names.
-    pub own: &'a [&'a str],
     /// The basic set, 1.obj first.
     pub basic: &'a [Study],
     /// Models with one choice changed at a time, plain cotangents.

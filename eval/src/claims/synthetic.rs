@@ -1,17 +1,17 @@
 //! Made-up studies of which most claims are true.
 
-use super::printed::BASIC;
 use super::{Claim, Evidence, claims};
 use crate::gain::{FormulaGain, Interval, Outcome, Ratios};
 use crate::names::{FORMULAS, SCALES};
-use crate::properties::ModelProperties;
+use crate::paper::{BASIC, BasicMesh};
+use crate::properties::{ModelProperties, Property};
 use crate::study::{LaplacianStudy, Study};
-use crate::sweep::{Best, Point, Sweep};
+use crate::sweep::{Best, Measure, Point, Sweep};
 use taut::Laplacian;
 
 /// One claim on some models and a basic set, with plain cotangents.
 pub(super) fn judged(id: &str, studies: &[Study], basic: &[Study]) -> Claim {
-    let all = claims(&Evidence { studies, basic, own: &["own"], ..Evidence::default() }, Laplacian::Plain);
+    let all = claims(&Evidence { studies, basic, ..Evidence::default() }, Laplacian::Plain);
     all.into_iter().find(|claim| claim.id == id).unwrap()
 }
 
@@ -48,13 +48,15 @@ pub(super) fn study(name: &str) -> Study {
 
 /// The basic set as the paper prints it; what it does not need is the same for all.
 pub(super) fn basic() -> Vec<Study> {
-    let mesh = |printed: &super::printed::Printed| {
+    let mesh = |printed: &BasicMesh| {
         let mut study = study("basic");
-        let p = &mut study.properties;
-        (p.vertices, p.sigma, p.variance) = (printed.vertices as usize, printed.sigma, printed.sigma * printed.sigma);
-        p.anisotropy = Some(printed.anisotropy);
+        let (p, value) = (&mut study.properties, |property| printed.printed(property).value());
+        (p.vertices, p.sigma) = (value(Property::Vertices) as usize, value(Property::Sigma));
+        (p.variance, p.anisotropy) = (p.sigma * p.sigma, Some(value(Property::Anisotropy)));
         let sweep = &mut study.laplacians[0].sweep;
-        (sweep.mean.t, sweep.mean.error, sweep.median.t) = (printed.mean_t, printed.mean_error, printed.median_t);
+        (sweep.mean.t, sweep.mean.error) =
+            (printed.best(Measure::Mean).t.value(), printed.best(Measure::Mean).error.value());
+        sweep.median.t = printed.best(Measure::Median).t.value();
         study
     };
     BASIC.iter().map(mesh).collect()
