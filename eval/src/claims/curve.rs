@@ -18,16 +18,18 @@ pub(super) fn valley(view: &View) -> Claim {
         too_few("models")
     } else {
         let single = models.iter().filter(|(_, of)| minima(&of.sweep.points) == 1).count();
+        let near = models.iter().filter(|(_, of)| minima(&near_best(&of.sweep)) == 1).count();
         let most = models.iter().map(|(_, of)| minima(&of.sweep.points)).max().unwrap_or(0);
         let middle = |of: fn(&Shape) -> f64| median(shapes.iter().map(of).collect());
         let [left, right] = [middle(|shape| shape.left.slope.value), middle(|shape| shape.right.slope.value)];
         let r_squared = middle(|shape| shape.left.r_squared.min(shape.right.r_squared));
         let is_valley = r_squared >= 0.9 && left < 0.0 && right > 0.0 && (0.5..=2.0).contains(&(-right / left));
         let ours = format!(
-            "{single} of {} models have one minimum, the others up to {most}. Over a decade of t the mean error changes by \
-             {left:.1} percentage points on the left and {right:+.1} on the right of it; straight lines explain {:.0} % \
-             of that (medians over the models).",
+            "{single} of {} models have one minimum, none more than {most}; within a decade of the best t {near} have one. Up \
+             to the best t the mean error falls by {:.1} percentage points a decade, beyond it it rises by {right:.1}; \
+             straight lines explain {:.0} % of that (medians over the models).",
             models.len(),
+            -left,
             100.0 * r_squared
         );
         let share = single as f64 / models.len() as f64;
@@ -62,6 +64,12 @@ fn minima(points: &[Point]) -> usize {
         }
     }
     count
+}
+
+/// The points at most a decade from the best t.
+fn near_best(sweep: &Sweep) -> Vec<Point> {
+    let near = sweep.mean.t / 10.0..=10.0 * sweep.mean.t;
+    sweep.points.iter().copied().filter(|point| near.contains(&point.t)).collect()
 }
 
 /// Lines through the mean error over log₁₀ t, one decade to the left and one to the right of the best t.

@@ -144,9 +144,10 @@ fn list(numbers: impl IntoIterator<Item = f64>, decimals: usize) -> String {
     texts.join(", ")
 }
 
-/// A ratio of errors as a gain.
+/// A ratio of errors as a gain, with its sign.
 fn gain(ratio: f64) -> String {
-    format!("{:.1} %", 100.0 * (1.0 - ratio))
+    let tenths = (1000.0 * (1.0 - ratio)).round() + 0.0; // no -0
+    format!("{:+.1} %", tenths / 10.0)
 }
 
 #[cfg(test)]
