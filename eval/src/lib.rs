@@ -14,6 +14,7 @@ mod names;
 pub mod paper;
 mod probe;
 mod properties;
+pub mod report;
 mod study;
 mod sweep;
 

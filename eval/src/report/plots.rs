@@ -1,0 +1,313 @@
+//! The plots: from studies to pictures.
+
+use super::chart::{Axis, Mark, Panel, Shape, svg};
+use super::colours::{self, INK, ORDERED, SOFT, TREND};
+use super::content::{Correlation, Fit, Line, Trend};
+use super::numbers::{fixed, gain, significant};
+use super::pick::{self, Over};
+use crate::gain::Interval;
+use crate::names::{LAPLACIANS, equation};
+use crate::study::Study;
+use crate::sweep::{Measure, Point, Sweep};
+use plotters::style::RGBColor;
+use plotters::style::text_anchor::HPos;
+use taut::{Laplacian, TimeFormula, TimeScale};
+
+/// Of plots with a row for each model, in pixels.
+const WIDTH: i32 = 1000;
+const NAMES: i32 = 190;
+const ROW: i32 = 22;
+
+/// Gains below this are drawn at the edge, with their number.
+const LEAST_GAIN: f64 = -100.0;
+
+/// Eq. 4, of which the paper gives no R².
+const EQUATION_4: Line = Line { slope: 1.01204, constant: -0.0001, r_squared: f64::NAN };
+
+fn point(at: [f64; 2], shape: Shape, colour: RGBColor) -> Mark {
+    Mark::Point { at, shape, colour }
+}
+
+fn line(points: Vec<[f64; 2]>, colour: RGBColor, width: f64) -> Mark {
+    Mark::Line { points, colour, width }
+}
+
+pub(super) fn measure_name(measure: Measure) -> &'static str {
+    match measure {
+        Measure::Mean => "mean",
+        Measure::Median => "median",
+    }
+}
+
+pub(super) fn laplacian_name(laplacian: Laplacian) -> &'static str {
+    match laplacian {
+        Laplacian::Plain => "plain cotangents",
+        Laplacian::Intrinsic => "intrinsic Delaunay",
+    }
+}
+
+/// Figure 5: a property along the basic set, with the line through ours.
+pub(super) fn trend(trend: &Trend) -> String {
+    let numbered = |values: &[f64]| -> Vec<[f64; 2]> { (1..).zip(values).map(|(n, &y)| [f64::from(n), y]).collect() };
+    let [paper, ours] = [numbered(&trend.paper), numbered(&trend.ours)];
+    let all = || [&paper[..], &ours].concat().into_iter();
+    let x = Axis::linear("mesh of the basic set", all().map(|[x, _]| x), 5);
+    let through = along(x.range(), trend.line);
+    let y = Axis::linear("", all().chain(through.clone()).map(|[_, y]| y), 5);
+    let mut marks = vec![Mark::Dashed { points: through, colour: TREND }];
+    marks.extend(paper.iter().map(|&at| point(at, Shape::Ring, SOFT)));
+    marks.extend(ours.iter().map(|&at| point(at, Shape::Dot, INK)));
+    let (name, symbol) = (trend.property.name(), trend.property.symbol());
+    let head = format!("{name} {symbol}, R² = {}", fixed(trend.line.r_squared, 4));
+    let title = format!("{name} of each mesh of the basic set, with the regression line");
+    svg(&title, [480, 320], &[Panel { head, left: 60, top: 28, width: 400, height: 240, x, y, marks }])
+}
+
+/// The ends of a line.
+fn along(ends: [f64; 2], line: Line) -> Vec<[f64; 2]> {
+    ends.map(|x| [x, line.slope * x + line.constant]).to_vec()
+}
+
+/// Figure 9: the mean error over t for each mesh of the basic set.
+pub(super) fn curves(basic: &[Study], laplacian: Laplacian) -> String {
+    let sweeps: Vec<&Sweep> = basic.iter().filter_map(|study| Some(&pick::with(study, laplacian)?.sweep)).collect();
+    let points = || sweeps.iter().flat_map(|sweep| &sweep.points);
+    let x = Axis::logarithmic("t", points().map(|point| point.t), 6);
+    let y = Axis::logarithmic("mean error, %", points().map(|point| point.mean), 5);
+    let mut marks = Vec::new();
+    for (sweep, colour) in sweeps.iter().zip(ORDERED.into_iter().cycle()) {
+        marks.push(line(sweep.points.iter().map(|point| [point.t, point.mean]).collect(), colour, 1.5));
+    }
+    for (sweep, colour) in sweeps.iter().zip(ORDERED.into_iter().cycle()) {
+        marks.push(point([sweep.mean.t, sweep.mean.error], Shape::Dot, colour));
+    }
+    let head = laplacian_name(laplacian).to_owned();
+    let title = format!("mean error over t for each mesh of the basic set, {head}");
+    svg(&title, [480, 380], &[Panel { head, left: 56, top: 48, width: 410, height: 280, x, y, marks }])
+}
+
+/// Figure 9 for one model, small: the mean error over t / ē², with both Laplacians, between the same ends for all.
+pub(super) fn small_curves(study: &Study) -> String {
+    let unit = pick::mean_edge_squared(study);
+    let x = Axis::logarithmic("", [0.01, 1000.0], 5);
+    let [least, most] = x.range();
+    let inside = |point: &&Point| (least..=most).contains(&(point.t / unit));
+    let points = || study.laplacians.iter().flat_map(|of| of.sweep.points.iter().filter(inside));
+    let y = Axis::logarithmic("", points().map(|point| point.mean), 3);
+    let mut marks = vec![line(vec![[1.0, y.range()[0]], [1.0, y.range()[1]]], SOFT, 1.0)];
+    for of in &study.laplacians {
+        let colour = colours::of_laplacian(of.laplacian);
+        let curve = of.sweep.points.iter().filter(inside).map(|point| [point.t / unit, point.mean]).collect();
+        marks.push(line(curve, colour, 1.5));
+        marks.push(point([of.sweep.mean.t / unit, of.sweep.mean.error], Shape::Dot, colour));
+    }
+    let title = format!("mean error over t / ē² on {}", study.model);
+    let panel = Panel { head: study.model.clone(), left: 44, top: 22, width: 180, height: 110, x, y, marks };
+    svg(&title, [236, 156], &[panel])
+}
+
+/// Panels side by side with a row for each name.
+struct Rows<'a> {
+    title: String,
+    names: Vec<&'a str>,
+    panels: Vec<(String, Axis, Vec<Mark>)>,
+}
+
+impl Rows<'_> {
+    fn svg(self) -> String {
+        let height = ROW * self.names.len().max(1) as i32;
+        let width = (WIDTH - NAMES) / self.panels.len().max(1) as i32;
+        let rows = Axis::rows(self.names.iter().copied());
+        let panels = self.panels.into_iter().enumerate().map(|(i, (head, x, marks))| {
+            let y = if i == 0 { rows.clone() } else { rows.clone().unnamed() };
+            Panel { head, left: NAMES + i as i32 * width, top: 24, width: width - 20, height, x, y, marks }
+        });
+        svg(&self.title, [WIDTH, height + 72], &panels.collect::<Vec<_>>())
+    }
+}
+
+/// The laplacians that some study has.
+pub(super) fn laplacians(studies: &[Study]) -> Vec<Laplacian> {
+    let is_there = |laplacian: &Laplacian| studies.iter().any(|study| pick::with(study, *laplacian).is_some());
+    LAPLACIANS.into_iter().map(|(_, laplacian)| laplacian).filter(is_there).collect()
+}
+
+/// Studies with the greatest value first, those without one last.
+fn sorted(models: &[Study], value: impl Fn(&Study) -> Option<f64>) -> Vec<&Study> {
+    let mut keyed: Vec<(f64, &Study)> =
+        models.iter().map(|study| (value(study).filter(|value| !value.is_nan()).unwrap_or(f64::NEG_INFINITY), study)).collect();
+    keyed.sort_by(|a, b| b.0.total_cmp(&a.0));
+    keyed.into_iter().map(|(_, study)| study).collect()
+}
+
+/// Figures 10, 12, 13 and 15: the gain of a formula over Eq. 1 for each model, with its confidence intervals; sorted by the
+/// gain with the first Laplacian.
+pub(super) fn gains(models: &[Study], formula: TimeFormula, measure: Measure) -> String {
+    let laplacians = laplacians(models);
+    let first = |study: &Study| pick::paper_ratio(study, *laplacians.first()?, formula, measure, Over::Vertices);
+    let models = sorted(models, |study| first(study).map(|interval| -interval.ratio));
+    let interval = |study, laplacian, over| pick::paper_ratio(study, laplacian, formula, measure, over);
+    let shown = |laplacian: Laplacian| {
+        let marks = models.iter().enumerate().flat_map(move |(row, study)| {
+            let row = -(row as f64);
+            let vertices = interval(study, laplacian, Over::Vertices).map(|of| whisker(&of, row + 0.2, true));
+            let sources = interval(study, laplacian, Over::Sources).map(|of| whisker(&of, row - 0.22, false));
+            vertices.into_iter().chain(sources).flatten()
+        });
+        let zero = vec![[0.0, 0.5], [0.0, 0.5 - models.len() as f64]];
+        std::iter::once(line(zero, SOFT, 1.5)).chain(marks).collect()
+    };
+    let panels = laplacians.iter().map(|&laplacian| {
+        let x = Axis::linear("gain over Eq. 1, %", [LEAST_GAIN, 100.0], 8);
+        (laplacian_name(laplacian).to_owned(), x, shown(laplacian))
+    });
+    Rows {
+        title: format!("gain of {} in the {} error over Eq. 1 for each model", equation(formula), measure_name(measure)),
+        names: models.iter().map(|study| study.model.as_str()).collect(),
+        panels: panels.collect(),
+    }
+    .svg()
+}
+
+/// An interval of ratios as gains, coloured by what it says.
+fn whisker(interval: &Interval, row: f64, is_first: bool) -> Vec<Mark> {
+    let colour = colours::of_verdict(interval.verdict());
+    let percent = |ratio: f64| (100.0 * (1.0 - ratio)).max(LEAST_GAIN);
+    let (width, shape) = if is_first { (2.5, Shape::Dot) } else { (1.25, Shape::Ring) };
+    let mut marks = vec![line(vec![[percent(interval.high), row], [percent(interval.low), row]], colour, width)];
+    if percent(interval.ratio) > LEAST_GAIN || interval.ratio.is_nan() {
+        marks.push(point([percent(interval.ratio), row], shape, colour));
+        return marks;
+    }
+    marks.push(point([LEAST_GAIN, row], Shape::Left, colour));
+    if is_first {
+        let text = format!("  {}", gain(interval.ratio));
+        marks.push(Mark::Label { at: [percent(interval.low), row - 0.2], text, side: HPos::Left, colour });
+    }
+    marks
+}
+
+/// Figures 11 and 14: the best, the original and the proposed t for each model, and how far t may go.
+pub(super) fn steps(models: &[Study], measure: Measure) -> String {
+    let laplacians = laplacians(models);
+    let models = sorted(models, |study| Some(pick::mean_edge_squared(study)));
+    let formulas = shown_formulas(measure);
+    let of = |study, laplacian, formula| Some(pick::outcome(study, laplacian, formula, TimeScale::Paper)?.t);
+    let panels = laplacians.iter().map(|&laplacian| {
+        let mut marks = Vec::new();
+        let mut all = Vec::new();
+        for (row, study) in models.iter().enumerate() {
+            let row = -(row as f64);
+            let Some(best) = pick::with(study, laplacian).map(|of| of.sweep.best(measure)) else { continue };
+            all.push(best.t);
+            if let Some(most) = best.maximum_t {
+                all.push(most);
+                marks.push(line(vec![[best.t, row], [most, row]], SOFT, 1.0));
+                marks.push(point([most, row], Shape::Tick, SOFT));
+            }
+            for formula in formulas {
+                if let Some(t) = of(study, laplacian, formula) {
+                    all.push(t);
+                    marks.push(point([t, row], Shape::Dot, colours::of_formula(formula)));
+                }
+            }
+            marks.push(point([best.t, row], Shape::Diamond, INK));
+        }
+        (laplacian_name(laplacian).to_owned(), Axis::logarithmic("t", all, 6), marks)
+    });
+    Rows {
+        title: format!("best t for the {} error, original t and proposed t for each model", measure_name(measure)),
+        names: models.iter().map(|study| study.model.as_str()).collect(),
+        panels: panels.collect(),
+    }
+    .svg()
+}
+
+/// The original formula and the two that are made for an error.
+pub(super) fn shown_formulas(measure: Measure) -> [TimeFormula; 3] {
+    match measure {
+        Measure::Mean => [TimeFormula::MeanEdge, TimeFormula::Sigma, TimeFormula::MeanSigma],
+        Measure::Median => [TimeFormula::MeanEdge, TimeFormula::MedianFit, TimeFormula::MedianMean],
+    }
+}
+
+/// Tables 7 and 9: Pearson's coefficient for each property, the paper's and ours.
+pub(super) fn correlations(measure: Measure, correlations: &[Correlation]) -> String {
+    let of_measure: Vec<&Correlation> = correlations.iter().filter(|of| of.measure == measure).collect();
+    let first = of_measure.first().map_or(&[][..], |of| &of.rows);
+    let panels = of_measure.iter().map(|of| {
+        let colour = colours::of_laplacian(of.laplacian);
+        let mut marks = vec![line(vec![[0.0, 0.5], [0.0, 0.5 - first.len() as f64]], SOFT, 1.5)];
+        for (row, of) in of.rows.iter().enumerate() {
+            let row = -(row as f64);
+            if let Some([low, high]) = of.interval {
+                marks.push(line(vec![[low, row], [high, row]], colour, 2.5));
+            }
+            match of.ours {
+                Some(ours) => marks.push(point([ours, row], Shape::Dot, colour)),
+                None => {
+                    let text = "does not vary".to_owned();
+                    marks.push(Mark::Label { at: [0.0, row], text, side: HPos::Left, colour: SOFT });
+                }
+            }
+            marks.extend(of.paper.map(|paper| point([paper, row], Shape::Ring, INK)));
+        }
+        (laplacian_name(of.laplacian).to_owned(), Axis::linear("Pearson's coefficient", [-1.0, 1.0], 5), marks)
+    });
+    Rows {
+        title: format!("correlation of the best t for the {} error with each property", measure_name(measure)),
+        names: first.iter().map(|row| row.property.symbol()).collect(),
+        panels: panels.collect(),
+    }
+    .svg()
+}
+
+/// The best t over σ, with the line through ours and Eq. 4.
+pub(super) fn fit(fit: &Fit) -> String {
+    let all = || [&fit.ours[..], &fit.paper].concat().into_iter();
+    let x = Axis::linear("σ of the edges", all().map(|[x, _]| x).chain([0.0]), 5);
+    let [proposed, ours] = [EQUATION_4, fit.line].map(|line| along([0.0, x.range()[1]], line));
+    let y = Axis::linear("", all().chain(proposed.clone()).chain(ours.clone()).map(|[_, y]| y), 5);
+    let colour = colours::of_laplacian(fit.laplacian);
+    let mut marks = vec![
+        line(proposed, colours::of_formula(TimeFormula::MedianFit), 1.5),
+        Mark::Dashed { points: ours, colour },
+    ];
+    marks.extend(fit.paper.iter().map(|&at| point(at, Shape::Ring, SOFT)));
+    marks.extend(fit.ours.iter().map(|&at| point(at, Shape::Dot, colour)));
+    let sign = if fit.line.constant < 0.0 { '−' } else { '+' };
+    let equation = format!("t = {} σ {sign} {}", significant(fit.line.slope), significant(fit.line.constant.abs()));
+    let name = laplacian_name(fit.laplacian);
+    let head = format!("{name}: {equation}, R² = {}", fixed(fit.line.r_squared, 3));
+    let title = format!("best t for the {} error over the standard deviation, {name}", measure_name(fit.measure));
+    svg(&title, [480, 340], &[Panel { head, left: 60, top: 28, width: 400, height: 260, x, y, marks }])
+}
+
+/// What a formula gives at the paper's size and in the units of the file: t / ē², and its error over that of Eq. 1.
+pub(super) fn units(models: &[Study], formula: TimeFormula, laplacian: Laplacian) -> String {
+    let t = |study: &Study, scale| Some(pick::outcome(study, laplacian, formula, scale)?.t / pick::mean_edge_squared(study));
+    let error = |study: &Study, scale| {
+        let outcome = pick::outcome(study, laplacian, formula, scale)?;
+        pick::ratio(outcome, Measure::Mean, Over::Vertices).map(|interval| interval.ratio)
+    };
+    let models = sorted(models, |study| t(study, TimeScale::Raw));
+    let panel = |name: &str, value: &dyn Fn(&Study, TimeScale) -> Option<f64>| {
+        let mut marks = vec![line(vec![[1.0, 0.5], [1.0, 0.5 - models.len() as f64]], SOFT, 1.5)];
+        let mut all = vec![1.0];
+        for (row, study) in models.iter().enumerate() {
+            let row = -(row as f64);
+            let [paper, raw] = [TimeScale::Paper, TimeScale::Raw].map(|scale| value(study, scale));
+            all.extend(paper.into_iter().chain(raw));
+            marks.extend(paper.zip(raw).map(|(paper, raw)| line(vec![[paper, row], [raw, row]], SOFT, 0.75)));
+            marks.extend(raw.map(|value| point([value, row], Shape::Ring, colours::of_formula(formula))));
+            marks.extend(paper.map(|value| point([value, row], Shape::Dot, colours::of_formula(formula))));
+        }
+        (String::new(), Axis::logarithmic(name, all, 6), marks)
+    };
+    Rows {
+        title: format!("t / ē² and error of {} at the paper's size and in the units of the file", equation(formula)),
+        names: models.iter().map(|study| study.model.as_str()).collect(),
+        panels: vec![panel("t / ē²", &t), panel("mean error over that of Eq. 1", &error)],
+    }
+    .svg()
+}
