@@ -65,9 +65,10 @@ impl Axis {
         Axis { name: name.to_owned(), ends: [low, high], is_logarithmic: true, ticks }
     }
 
-    /// A row for each name: row i is at -i, so that the first is at the top.
+    /// A row for each name, of at most 25 letters: row i is at -i, so that the first is at the top.
     pub(super) fn rows<'a>(names: impl Iterator<Item = &'a str>) -> Axis {
-        let ticks: Vec<(f64, String)> = names.enumerate().map(|(row, name)| (-(row as f64), shortened(name))).collect();
+        let ticks: Vec<(f64, String)> =
+            names.enumerate().map(|(row, name)| (-(row as f64), shortened(name, 25))).collect();
         let last = ticks.len().max(1) as f64 - 1.0;
         Axis { name: String::new(), ends: [-last - 0.5, 0.5], is_logarithmic: false, ticks }
     }
@@ -101,10 +102,16 @@ fn ends(values: impl Iterator<Item = f64>, room: f64) -> [f64; 2] {
     [low - margin, high + margin]
 }
 
-/// The least of 1, 2, 5 times a power of ten that is not below.
-fn round_step(least: f64) -> f64 {
-    let power = 10f64.powf(least.log10().floor());
-    [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power).into_iter().find(|&step| step >= least).unwrap_or(least)
+/// The nearest of 1, 2, 5 times a power of ten.
+fn round_step(step: f64) -> f64 {
+    let power = 10f64.powf(step.log10().floor());
+    let digit = match step / power {
+        share if share < 1.5 => 1.0,
+        share if share < 3.5 => 2.0,
+        share if share < 7.5 => 5.0,
+        _ => 10.0,
+    };
+    digit * power
 }
 
 fn logarithmic_label(digit: f64, power: i32) -> String {
@@ -115,10 +122,9 @@ fn logarithmic_label(digit: f64, power: i32) -> String {
     }
 }
 
-/// Names longer than their column end in dots.
-fn shortened(name: &str) -> String {
-    const MOST_LETTERS: usize = 27;
-    match name.char_indices().nth(MOST_LETTERS) {
+/// Longer names end in dots.
+pub(super) fn shortened(name: &str, letters: usize) -> String {
+    match name.char_indices().nth(letters) {
         Some((end, _)) => format!("{}…", &name[..end]),
         None => name.to_owned(),
     }
@@ -171,7 +177,8 @@ pub(super) fn svg(title: &str, [width, height]: [i32; 2], panels: &[Panel]) -> S
         panels.iter().try_for_each(|panel| panel.draw(&area)).and_then(|()| area.present())
     };
     // What the backend opens is replaced, to be read out and to be of the page's size.
-    let inside = drawing.split_once('>').and_then(|(_, rest)| rest.rsplit_once("</svg>")).map_or("", |(inside, _)| inside);
+    let inside =
+        drawing.split_once('>').and_then(|(_, rest)| rest.rsplit_once("</svg>")).map_or("", |(inside, _)| inside);
     let inside = if drawn.is_ok() { inside } else { "" };
     html! {
         svg xmlns="http://www.w3.org/2000/svg" role="img" viewBox={ "0 0 " (width) " " (height) }
@@ -197,11 +204,17 @@ impl Panel {
         }
         let [_, right] = self.x.ends;
         let [_, above] = self.y.ends;
-        label(&plane, [self.x.ends[0], above], [0, -8], HPos::Left, &self.head, INK)?;
+        let up = if self.is_tall() { -30 } else { -10 };
+        label(&plane, [self.x.ends[0], above], [0, up], HPos::Left, &self.head, INK)?;
         if left_out > 0 {
-            label(&plane, [right, above], [0, -8], HPos::Right, &format!("{left_out} not shown"), SOFT)?;
+            label(&plane, [right, above], [0, up], HPos::Right, &format!("{left_out} not shown"), SOFT)?;
         }
         Ok(())
+    }
+
+    /// Whether its lower end is out of sight from its upper one, so that both get names for the ticks.
+    fn is_tall(&self) -> bool {
+        self.height > 600
     }
 
     fn draw_axes(&self, plane: &Plane) -> Drawn {
@@ -210,6 +223,9 @@ impl Panel {
         for (at, name) in &self.x.ticks {
             plane.draw(&PathElement::new([(*at, below), (*at, above)], grid))?;
             label(plane, [*at, below], [0, 13], HPos::Center, name, SOFT)?;
+            if self.is_tall() {
+                label(plane, [*at, above], [0, -10], HPos::Center, name, SOFT)?;
+            }
         }
         for (at, name) in &self.y.ticks {
             plane.draw(&PathElement::new([(left, *at), (right, *at)], grid))?;
@@ -255,7 +271,10 @@ impl Panel {
                     HPos::Right => -7,
                 };
                 let places = placed(&[*at]);
-                places.iter().try_for_each(|&(x, y)| label(plane, [x, y], [beside, 0], *side, text, *colour)).map(|()| 0)
+                places
+                    .iter()
+                    .try_for_each(|&(x, y)| label(plane, [x, y], [beside, 0], *side, text, *colour))
+                    .map(|()| 0)
             }
         }
     }

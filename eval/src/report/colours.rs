@@ -21,7 +21,7 @@ pub(super) const ORDERED: [RGBColor; 5] = [
 /// Those made for the mean error are red, those for the median green.
 pub(super) fn of_formula(formula: TimeFormula) -> RGBColor {
     match formula {
-        TimeFormula::MeanEdge => RGBColor(0x4a, 0x50, 0x5a),
+        TimeFormula::MeanEdge => RGBColor(0x80, 0x8a, 0x9c),
         TimeFormula::Sigma => RGBColor(0xd1, 0x5c, 0x96),
         TimeFormula::MeanSigma => RGBColor(0x86, 0x1f, 0x5c),
         TimeFormula::MedianFit => RGBColor(0x3f, 0xb5, 0x9a),

@@ -155,7 +155,8 @@ impl Table {
 
 impl Beside {
     fn cells(self, decimals: usize) -> [Cell; 2] {
-        let text = |number: Option<f64>| number.map_or("–".to_owned(), |number| super::numbers::fixed(number, decimals));
+        let text =
+            |number: Option<f64>| number.map_or("–".to_owned(), |number| super::numbers::fixed(number, decimals));
         let unit = 10f64.powi(-(decimals as i32));
         let is_same = self.paper.zip(self.ours).is_some_and(|(paper, ours)| (paper - ours).abs() < unit * (1.0 - 1e-6));
         let tone = if is_same { Tone::Good } else { Tone::Plain };

@@ -14,8 +14,8 @@ mod sections;
 mod tables;
 
 pub use content::{
-    Beside, Cell, Claim, Content, Correlation, CorrelationRow, Counts, Finding, Fit, Line, Picture, Places, Printed, Table,
-    Tone, Trend,
+    Beside, Cell, Claim, Content, Correlation, CorrelationRow, Counts, Finding, Fit, Line, Picture, Places, Printed,
+    Table, Tone, Trend,
 };
 pub use tables::{write_best, write_gains, write_properties, write_sweeps};
 

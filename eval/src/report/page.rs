@@ -48,7 +48,11 @@ pub(super) fn table(table: &Table) -> Markup {
 
 fn bare_table(table: &Table) -> Markup {
     let is_number = numeric_columns(table);
-    let class = |column: usize| if is_number.get(column) == Some(&true) { "number" } else { "" };
+    let starts: Vec<usize> = group_starts(table);
+    let class = |column: usize| {
+        let number = if is_number.get(column) == Some(&true) { "number" } else { "" };
+        format!("{number}{}", if starts.contains(&column) { " start" } else { "" })
+    };
     html! {
         div class={ "scroll" @if table.rows.len() > TALL { " tall" } } tabindex="0" role="group" aria-label=(table.title) {
             table {
@@ -56,18 +60,28 @@ fn bare_table(table: &Table) -> Markup {
                     @if !table.groups.is_empty() {
                         tr { @for (name, columns) in &table.groups { th class="over" colspan=(columns) { (name) } } }
                     }
-                    tr { @for (column, name) in table.head.iter().enumerate() { th class=[some(class(column))] scope="col" { (name) } } }
+                    tr { @for (column, name) in table.head.iter().enumerate() { th class=[some(class(column).trim())] scope="col" { (name) } } }
                 }
                 tbody {
                     @for row in &table.rows {
                         tr {
-                            @for (column, cell) in row.iter().enumerate() { (self::cell(cell, class(column), column == 0)) }
+                            @for (column, cell) in row.iter().enumerate() { (self::cell(cell, &class(column), column == 0)) }
                         }
                     }
                 }
             }
         }
     }
+}
+
+/// The columns a group starts with, but the first column of all.
+fn group_starts(table: &Table) -> Vec<usize> {
+    let mut next = 0;
+    let ends = table.groups.iter().map(|&(_, columns)| {
+        next += columns;
+        next
+    });
+    ends.collect()
 }
 
 fn cell(cell: &Cell, class: &str, is_first: bool) -> Markup {
@@ -95,9 +109,8 @@ fn numeric_columns(table: &Table) -> Vec<bool> {
         let text = text.trim_start_matches(['+', '−', '-', '±', '<', '>', '≈', '≤', '≥', ' ']);
         text.is_empty() || text == "–" || text.starts_with('∞') || text.starts_with(|c: char| c.is_ascii_digit())
     };
-    let is_number = |column| {
-        table.rows.iter().all(|row| row.get(column).is_none_or(|cell: &Cell| starts_as_number(&cell.text)))
-    };
+    let is_number =
+        |column| table.rows.iter().all(|row| row.get(column).is_none_or(|cell: &Cell| starts_as_number(&cell.text)));
     (0..table.head.len()).map(|column| column > 0 && !table.rows.is_empty() && is_number(column)).collect()
 }
 

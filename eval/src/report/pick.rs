@@ -26,12 +26,7 @@ pub(super) fn with(study: &Study, laplacian: Laplacian) -> Option<&LaplacianStud
 }
 
 /// What a formula gives; `None` where it is refused or was not asked for.
-pub(super) fn outcome(
-    study: &Study,
-    laplacian: Laplacian,
-    formula: TimeFormula,
-    scale: TimeScale,
-) -> Option<&Outcome> {
+pub(super) fn outcome(study: &Study, laplacian: Laplacian, formula: TimeFormula, scale: TimeScale) -> Option<&Outcome> {
     let mut formulas = with(study, laplacian)?.formulas.iter();
     formulas.find(|gain| gain.formula == formula && gain.scale == scale)?.outcome.as_ref().ok()
 }

@@ -1,6 +1,6 @@
 //! The plots: from studies to pictures.
 
-use super::chart::{Axis, Mark, Panel, Shape, svg};
+use super::chart::{Axis, Mark, Panel, Shape, shortened, svg};
 use super::colours::{self, INK, ORDERED, SOFT, TREND};
 use super::content::{Correlation, Fit, Line, Trend};
 use super::numbers::{fixed, gain, significant};
@@ -14,8 +14,9 @@ use plotters::style::text_anchor::HPos;
 use taut::{Laplacian, TimeFormula, TimeScale};
 
 /// Of plots with a row for each model, in pixels.
-const WIDTH: i32 = 1000;
+const WIDTH: i32 = 960;
 const NAMES: i32 = 190;
+const SYMBOLS: i32 = 100;
 const ROW: i32 = 22;
 
 /// Gains below this are drawn at the edge, with their number.
@@ -60,7 +61,7 @@ pub(super) fn trend(trend: &Trend) -> String {
     let (name, symbol) = (trend.property.name(), trend.property.symbol());
     let head = format!("{name} {symbol}, R² = {}", fixed(trend.line.r_squared, 4));
     let title = format!("{name} of each mesh of the basic set, with the regression line");
-    svg(&title, [480, 320], &[Panel { head, left: 60, top: 28, width: 400, height: 240, x, y, marks }])
+    svg(&title, [462, 316], &[Panel { head, left: 58, top: 30, width: 390, height: 240, x, y, marks }])
 }
 
 /// The ends of a line.
@@ -83,7 +84,7 @@ pub(super) fn curves(basic: &[Study], laplacian: Laplacian) -> String {
     }
     let head = laplacian_name(laplacian).to_owned();
     let title = format!("mean error over t for each mesh of the basic set, {head}");
-    svg(&title, [480, 380], &[Panel { head, left: 56, top: 48, width: 410, height: 280, x, y, marks }])
+    svg(&title, [462, 380], &[Panel { head, left: 56, top: 54, width: 394, height: 280, x, y, marks }])
 }
 
 /// Figure 9 for one model, small: the mean error over t / ē², with both Laplacians, between the same ends for all.
@@ -94,7 +95,7 @@ pub(super) fn small_curves(study: &Study) -> String {
     let inside = |point: &&Point| (least..=most).contains(&(point.t / unit));
     let points = || study.laplacians.iter().flat_map(|of| of.sweep.points.iter().filter(inside));
     let y = Axis::logarithmic("", points().map(|point| point.mean), 3);
-    let mut marks = vec![line(vec![[1.0, y.range()[0]], [1.0, y.range()[1]]], SOFT, 1.0)];
+    let mut marks = vec![line(y.range().map(|y| [1.0, y]).to_vec(), SOFT, 1.0)];
     for of in &study.laplacians {
         let colour = colours::of_laplacian(of.laplacian);
         let curve = of.sweep.points.iter().filter(inside).map(|point| [point.t / unit, point.mean]).collect();
@@ -102,27 +103,29 @@ pub(super) fn small_curves(study: &Study) -> String {
         marks.push(point([of.sweep.mean.t / unit, of.sweep.mean.error], Shape::Dot, colour));
     }
     let title = format!("mean error over t / ē² on {}", study.model);
-    let panel = Panel { head: study.model.clone(), left: 44, top: 22, width: 180, height: 110, x, y, marks };
-    svg(&title, [236, 156], &[panel])
+    let panel = Panel { head: shortened(&study.model, 21), left: 42, top: 22, width: 178, height: 110, x, y, marks };
+    svg(&title, [228, 154], &[panel])
 }
 
 /// Panels side by side with a row for each name.
 struct Rows<'a> {
     title: String,
     names: Vec<&'a str>,
+    /// How wide the names are.
+    left: i32,
     panels: Vec<(String, Axis, Vec<Mark>)>,
 }
 
 impl Rows<'_> {
     fn svg(self) -> String {
         let height = ROW * self.names.len().max(1) as i32;
-        let width = (WIDTH - NAMES) / self.panels.len().max(1) as i32;
+        let width = (WIDTH - self.left) / self.panels.len().max(1) as i32;
         let rows = Axis::rows(self.names.iter().copied());
         let panels = self.panels.into_iter().enumerate().map(|(i, (head, x, marks))| {
             let y = if i == 0 { rows.clone() } else { rows.clone().unnamed() };
-            Panel { head, left: NAMES + i as i32 * width, top: 24, width: width - 20, height, x, y, marks }
+            Panel { head, left: self.left + i as i32 * width, top: 42, width: width - 20, height, x, y, marks }
         });
-        svg(&self.title, [WIDTH, height + 72], &panels.collect::<Vec<_>>())
+        svg(&self.title, [WIDTH, height + 90], &panels.collect::<Vec<_>>())
     }
 }
 
@@ -134,8 +137,10 @@ pub(super) fn laplacians(studies: &[Study]) -> Vec<Laplacian> {
 
 /// Studies with the greatest value first, those without one last.
 fn sorted(models: &[Study], value: impl Fn(&Study) -> Option<f64>) -> Vec<&Study> {
-    let mut keyed: Vec<(f64, &Study)> =
-        models.iter().map(|study| (value(study).filter(|value| !value.is_nan()).unwrap_or(f64::NEG_INFINITY), study)).collect();
+    let mut keyed: Vec<(f64, &Study)> = models
+        .iter()
+        .map(|study| (value(study).filter(|value| !value.is_nan()).unwrap_or(f64::NEG_INFINITY), study))
+        .collect();
     keyed.sort_by(|a, b| b.0.total_cmp(&a.0));
     keyed.into_iter().map(|(_, study)| study).collect()
 }
@@ -158,12 +163,17 @@ pub(super) fn gains(models: &[Study], formula: TimeFormula, measure: Measure) ->
         std::iter::once(line(zero, SOFT, 1.5)).chain(marks).collect()
     };
     let panels = laplacians.iter().map(|&laplacian| {
-        let x = Axis::linear("gain over Eq. 1, %", [LEAST_GAIN, 100.0], 8);
+        let x = Axis::linear("gain over Eq. 1, %", [LEAST_GAIN, 100.0], 5);
         (laplacian_name(laplacian).to_owned(), x, shown(laplacian))
     });
     Rows {
-        title: format!("gain of {} in the {} error over Eq. 1 for each model", equation(formula), measure_name(measure)),
+        title: format!(
+            "gain of {} in the {} error over Eq. 1 for each model",
+            equation(formula),
+            measure_name(measure)
+        ),
         names: models.iter().map(|study| study.model.as_str()).collect(),
+        left: NAMES,
         panels: panels.collect(),
     }
     .svg()
@@ -181,7 +191,7 @@ fn whisker(interval: &Interval, row: f64, is_first: bool) -> Vec<Mark> {
     }
     marks.push(point([LEAST_GAIN, row], Shape::Left, colour));
     if is_first {
-        let text = format!("  {}", gain(interval.ratio));
+        let text = format!("\u{a0}\u{a0}{}", gain(interval.ratio));
         marks.push(Mark::Label { at: [percent(interval.low), row - 0.2], text, side: HPos::Left, colour });
     }
     marks
@@ -191,36 +201,41 @@ fn whisker(interval: &Interval, row: f64, is_first: bool) -> Vec<Mark> {
 pub(super) fn steps(models: &[Study], measure: Measure) -> String {
     let laplacians = laplacians(models);
     let models = sorted(models, |study| Some(pick::mean_edge_squared(study)));
-    let formulas = shown_formulas(measure);
-    let of = |study, laplacian, formula| Some(pick::outcome(study, laplacian, formula, TimeScale::Paper)?.t);
-    let panels = laplacians.iter().map(|&laplacian| {
-        let mut marks = Vec::new();
-        let mut all = Vec::new();
-        for (row, study) in models.iter().enumerate() {
-            let row = -(row as f64);
-            let Some(best) = pick::with(study, laplacian).map(|of| of.sweep.best(measure)) else { continue };
-            all.push(best.t);
-            if let Some(most) = best.maximum_t {
-                all.push(most);
-                marks.push(line(vec![[best.t, row], [most, row]], SOFT, 1.0));
-                marks.push(point([most, row], Shape::Tick, SOFT));
-            }
-            for formula in formulas {
-                if let Some(t) = of(study, laplacian, formula) {
-                    all.push(t);
-                    marks.push(point([t, row], Shape::Dot, colours::of_formula(formula)));
-                }
-            }
-            marks.push(point([best.t, row], Shape::Diamond, INK));
-        }
-        (laplacian_name(laplacian).to_owned(), Axis::logarithmic("t", all, 6), marks)
-    });
+    let mut all = Vec::new();
+    let mut marks = |laplacian| -> Vec<Mark> {
+        let rows = models.iter().enumerate();
+        rows.flat_map(|(row, study)| step_marks(study, laplacian, measure, -(row as f64), &mut all)).collect()
+    };
+    let marks: Vec<_> = laplacians.iter().map(|&laplacian| (laplacian, marks(laplacian))).collect();
+    let x = Axis::logarithmic("t", all, 6);
+    let panels = marks.into_iter().map(|(laplacian, marks)| (laplacian_name(laplacian).to_owned(), x.clone(), marks));
     Rows {
         title: format!("best t for the {} error, original t and proposed t for each model", measure_name(measure)),
         names: models.iter().map(|study| study.model.as_str()).collect(),
+        left: NAMES,
         panels: panels.collect(),
     }
     .svg()
+}
+
+/// One row of these; its values of t go to `all`.
+fn step_marks(study: &Study, laplacian: Laplacian, measure: Measure, row: f64, all: &mut Vec<f64>) -> Vec<Mark> {
+    let Some(best) = pick::with(study, laplacian).map(|of| of.sweep.best(measure)) else { return Vec::new() };
+    let mut marks = Vec::new();
+    if let Some(most) = best.maximum_t {
+        all.push(most);
+        marks.push(line(vec![[best.t, row], [most, row]], SOFT, 1.0));
+        marks.push(point([most, row], Shape::Tick, SOFT));
+    }
+    for formula in shown_formulas(measure) {
+        if let Some(outcome) = pick::outcome(study, laplacian, formula, TimeScale::Paper) {
+            all.push(outcome.t);
+            marks.push(point([outcome.t, row], Shape::Dot, colours::of_formula(formula)));
+        }
+    }
+    all.push(best.t);
+    marks.push(point([best.t, row], Shape::Diamond, INK));
+    marks
 }
 
 /// The original formula and the two that are made for an error.
@@ -257,6 +272,7 @@ pub(super) fn correlations(measure: Measure, correlations: &[Correlation]) -> St
     Rows {
         title: format!("correlation of the best t for the {} error with each property", measure_name(measure)),
         names: first.iter().map(|row| row.property.symbol()).collect(),
+        left: SYMBOLS,
         panels: panels.collect(),
     }
     .svg()
@@ -269,10 +285,8 @@ pub(super) fn fit(fit: &Fit) -> String {
     let [proposed, ours] = [EQUATION_4, fit.line].map(|line| along([0.0, x.range()[1]], line));
     let y = Axis::linear("", all().chain(proposed.clone()).chain(ours.clone()).map(|[_, y]| y), 5);
     let colour = colours::of_laplacian(fit.laplacian);
-    let mut marks = vec![
-        line(proposed, colours::of_formula(TimeFormula::MedianFit), 1.5),
-        Mark::Dashed { points: ours, colour },
-    ];
+    let mut marks =
+        vec![line(proposed, colours::of_formula(TimeFormula::MedianFit), 1.5), Mark::Dashed { points: ours, colour }];
     marks.extend(fit.paper.iter().map(|&at| point(at, Shape::Ring, SOFT)));
     marks.extend(fit.ours.iter().map(|&at| point(at, Shape::Dot, colour)));
     let sign = if fit.line.constant < 0.0 { '−' } else { '+' };
@@ -280,12 +294,14 @@ pub(super) fn fit(fit: &Fit) -> String {
     let name = laplacian_name(fit.laplacian);
     let head = format!("{name}: {equation}, R² = {}", fixed(fit.line.r_squared, 3));
     let title = format!("best t for the {} error over the standard deviation, {name}", measure_name(fit.measure));
-    svg(&title, [480, 340], &[Panel { head, left: 60, top: 28, width: 400, height: 260, x, y, marks }])
+    svg(&title, [462, 336], &[Panel { head, left: 58, top: 30, width: 390, height: 260, x, y, marks }])
 }
 
 /// What a formula gives at the paper's size and in the units of the file: t / ē², and its error over that of Eq. 1.
 pub(super) fn units(models: &[Study], formula: TimeFormula, laplacian: Laplacian) -> String {
-    let t = |study: &Study, scale| Some(pick::outcome(study, laplacian, formula, scale)?.t / pick::mean_edge_squared(study));
+    let t = |study: &Study, scale| {
+        Some(pick::outcome(study, laplacian, formula, scale)?.t / pick::mean_edge_squared(study))
+    };
     let error = |study: &Study, scale| {
         let outcome = pick::outcome(study, laplacian, formula, scale)?;
         pick::ratio(outcome, Measure::Mean, Over::Vertices).map(|interval| interval.ratio)
@@ -302,11 +318,12 @@ pub(super) fn units(models: &[Study], formula: TimeFormula, laplacian: Laplacian
             marks.extend(raw.map(|value| point([value, row], Shape::Ring, colours::of_formula(formula))));
             marks.extend(paper.map(|value| point([value, row], Shape::Dot, colours::of_formula(formula))));
         }
-        (String::new(), Axis::logarithmic(name, all, 6), marks)
+        (name.to_owned(), Axis::logarithmic(name, all, 6), marks)
     };
     Rows {
         title: format!("t / ē² and error of {} at the paper's size and in the units of the file", equation(formula)),
         names: models.iter().map(|study| study.model.as_str()).collect(),
+        left: NAMES,
         panels: vec![panel("t / ē²", &t), panel("mean error over that of Eq. 1", &error)],
     }
     .svg()

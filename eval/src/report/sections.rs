@@ -38,14 +38,14 @@ pub(super) fn claims(claims: &[Claim]) -> Markup {
             div class="scroll" tabindex="0" role="group" aria-label="Verdicts" {
                 table class="claims" {
                     thead {
-                        tr { th { "" } th { "claim" } th { "paper" } th { "ours" } th { "verdict" } }
+                        tr { th { "" } th { "verdict" } th { "claim" } th { "paper" } th { "ours" } }
                     }
                     tbody {
                         @for claim in claims {
                             tr {
-                                th class="id" scope="row" { a href={ "#" (anchor(claim)) } { (claim.id) } }
-                                td { (claim.text) } td { (claim.paper) } td { (claim.ours) }
+                                th scope="row" { a href={ "#" (anchor(claim)) } { (claim.id) } }
                                 td class="found" { (badge(claim.verdict)) }
+                                td { (claim.text) } td { (claim.paper) } td { (claim.ours) }
                             }
                         }
                     }
@@ -183,7 +183,8 @@ pub(super) fn search(content: &Content) -> Markup {
             }
         }
     }
-    let head = ["model", "Laplacian", "error", "t", "least, %", "tried", "t", "least, %", "tried", "maximum t", "over best"];
+    let head =
+        ["model", "Laplacian", "error", "t", "least, %", "tried", "t", "least, %", "tried", "maximum t", "over best"];
     let groups = [("", 3), ("sweep", 3), ("search", 3), ("maximum", 2)];
     let of_all = Table {
         title: "Every search".to_owned(),
@@ -220,7 +221,13 @@ fn search_row(study: &Study, of: &LaplacianStudy, measure: Measure) -> Vec<Cell>
     let best = of.sweep.best(measure);
     let found = of.search[Measure::ALL.iter().position(|&one| one == measure).unwrap_or(0)];
     let is_low = of.sweep.points.first().is_some_and(|point| best.t <= point.t);
-    let end = if !best.at_end { "" } else if is_low { "≤ " } else { "≥ " };
+    let end = if !best.at_end {
+        ""
+    } else if is_low {
+        "≤ "
+    } else {
+        "≥ "
+    };
     let tone = if found.t == best.t { Tone::Plain } else { Tone::Bad };
     let over = best.maximum_t.map_or("–".to_owned(), |most| significant(most / best.t));
     vec![
@@ -270,11 +277,15 @@ fn correlation_of(content: &Content, measure: Measure, keys: Markup) -> Markup {
     let number = |value: Option<f64>| value.map_or("–".to_owned(), |value| fixed(value, 4));
     let first = of_measure.first().map_or(&[][..], |of| &of.rows);
     let rows = first.iter().enumerate().map(|(row, of)| {
-        let mut cells: Vec<Cell> =
-            vec![of.property.symbol().into(), Cell::new(of.property.name(), Tone::Pale), Cell::new(number(of.paper), Tone::Pale)];
+        let mut cells: Vec<Cell> = vec![
+            of.property.symbol().into(),
+            Cell::new(of.property.name(), Tone::Pale),
+            Cell::new(number(of.paper), Tone::Pale),
+        ];
         for ours in of_measure.iter().filter_map(|of| of.rows.get(row)) {
             cells.push(number(ours.ours).into());
-            let interval = ours.interval.map_or("–".to_owned(), |[low, high]| format!("{} … {}", fixed(low, 3), fixed(high, 3)));
+            let interval =
+                ours.interval.map_or("–".to_owned(), |[low, high]| format!("{} … {}", fixed(low, 3), fixed(high, 3)));
             cells.push(Cell::new(interval, Tone::Pale));
         }
         cells
@@ -285,7 +296,11 @@ fn correlation_of(content: &Content, measure: Measure, keys: Markup) -> Markup {
         title: format!("{name} Pearson's coefficients in numbers"),
         note: "A property that does not vary over the basic set has none.".to_owned(),
         groups: [(String::new(), 3)].into_iter().chain(columns).collect(),
-        head: ["property", "", "paper"].into_iter().chain(of_measure.iter().flat_map(|_| ["ours", "95 % interval"])).map(str::to_owned).collect(),
+        head: ["property", "", "paper"]
+            .into_iter()
+            .chain(of_measure.iter().flat_map(|_| ["ours", "95 % interval"]))
+            .map(str::to_owned)
+            .collect(),
         rows: rows.collect(),
     };
     let caption = format!(
@@ -306,7 +321,8 @@ fn fit_of(measure: Measure, fits: &[String]) -> Markup {
         (Key::Line, colours::of_formula(TimeFormula::MedianFit), "Eq. 4"),
     ];
     let name = format!("The fit for the {} error.", measure_name(measure));
-    let caption = "Best t over the standard deviation σ of the edges. Eq. 4 is the paper's regression for the median error.";
+    let caption =
+        "Best t over the standard deviation σ of the edges. Eq. 4 is the paper's regression for the median error.";
     figure(&name, caption, legend(&keys), fits)
 }
 
@@ -369,38 +385,34 @@ fn step_figure(content: &Content, number: u32, measure: Measure) -> Markup {
 /// On how many models which formula is better, the paper's counts and ours.
 fn headline(content: &Content) -> Table {
     let laplacians = plots::laplacians(content.models);
-    let overs = [(Over::Vertices, "over vertices"), (Over::Sources, "over sources")];
-    let ways: Vec<(Laplacian, Over, String)> = laplacians
-        .iter()
-        .flat_map(|&laplacian| overs.map(|(over, name)| (laplacian, over, format!("{}, {name}", laplacian_name(laplacian)))))
-        .collect();
+    let ways = || laplacians.iter().flat_map(|&laplacian| [(laplacian, Over::Vertices), (laplacian, Over::Sources)]);
     let rows = FIGURES.into_iter().zip(content.printed.counts).map(|((number, formula, measure), paper)| {
         let what = format!("Figure {number}: {}, {}", equation(formula), measure_name(measure));
-        let ours = ways.iter().flat_map(|&(laplacian, over, _)| {
+        let ours = ways().map(|(laplacian, over)| {
             let ratio = |study| pick::paper_ratio(study, laplacian, formula, measure, over);
-            numbers(pick::counts(content.models.iter().filter_map(ratio)), Tone::Plain)
+            Cell::from(written(pick::counts(content.models.iter().filter_map(ratio))))
         });
-        [what.into()].into_iter().chain(numbers(paper, Tone::Pale)).chain(ours).collect()
+        [what.into(), Cell::new(written(paper), Tone::Pale)].into_iter().chain(ours).collect()
     });
-    let columns = ["better", "worse", "unsure"];
+    let Counts { better, worse, unsure } = content.printed.counts[0];
+    let name = |laplacian| (laplacian_name(laplacian).to_owned(), 2);
+    let ours = laplacians.iter().flat_map(|_| ["over vertices", "over sources"]);
     Table {
         title: "On how many models a formula is better than Eq. 1".to_owned(),
         note: format!(
-            "With 95 % confidence. The paper counts {} models, we {}.",
-            content.printed.counts[0].better + content.printed.counts[0].worse + content.printed.counts[0].unsure,
+            "Better, worse and unsure, with 95 % confidence by the bootstrap over vertices or over sources. The paper counts {} \
+             models, we {}.",
+            better + worse + unsure,
             content.models.len()
         ),
-        groups: [(String::new(), 1), ("paper".to_owned(), 3)]
-            .into_iter()
-            .chain(ways.iter().map(|(_, _, name)| (name.clone(), 3)))
-            .collect(),
-        head: std::iter::once("").chain(std::iter::repeat_n(columns, 1 + ways.len()).flatten()).map(str::to_owned).collect(),
+        groups: [(String::new(), 2)].into_iter().chain(laplacians.iter().map(|&laplacian| name(laplacian))).collect(),
+        head: ["", "paper"].into_iter().chain(ours).map(str::to_owned).collect(),
         rows: rows.collect(),
     }
 }
 
-fn numbers(counts: Counts, tone: Tone) -> [Cell; 3] {
-    [counts.better, counts.worse, counts.unsure].map(|count| Cell::new(count.to_string(), tone))
+fn written(Counts { better, worse, unsure }: Counts) -> String {
+    format!("{better} / {worse} / {unsure}")
 }
 
 fn placing(content: &Content) -> Table {
@@ -448,11 +460,15 @@ fn units_table(models: &[Study], laplacian: Laplacian) -> Table {
         }
     };
     let row = |study: &Study| {
-        let cells = formulas.iter().flat_map(|&formula| SCALES.iter().flat_map(move |&(_, scale)| cells(study, formula, scale)));
+        let cells = formulas
+            .iter()
+            .flat_map(|&formula| SCALES.iter().flat_map(move |&(_, scale)| cells(study, formula, scale)));
         let first: [Cell; 2] = [study.model.as_str().into(), significant(study.properties.scale).into()];
         first.into_iter().chain(cells).collect()
     };
-    let groups = formulas.iter().flat_map(|&formula| ["paper's size", "raw"].map(|name| (format!("{}, {name}", equation(formula)), 2)));
+    let groups = formulas
+        .iter()
+        .flat_map(|&formula| ["paper's size", "raw"].map(|name| (format!("{}, {name}", equation(formula)), 2)));
     let head = std::iter::repeat_n(["t / ē²", "ratio"], 8).flatten();
     Table {
         title: "Every formula in both units".to_owned(),
@@ -506,7 +522,9 @@ pub(super) fn models(content: &Content) -> Markup {
         [Cell::from(study.model.as_str())].into_iter().chain(counts).chain(shape).chain(found).collect()
     };
     let groups = laplacians.iter().map(|&laplacian| (laplacian_name(laplacian).to_owned(), 8));
-    let head = laplacians.iter().flat_map(|_| ["best t", "t / ē²", "least, %", "Eq. 1, %", "Eq. 2", "Eq. 3", "Eq. 4", "Eq. 5"]);
+    let head = laplacians
+        .iter()
+        .flat_map(|_| ["best t", "t / ē²", "least, %", "Eq. 1, %", "Eq. 2", "Eq. 3", "Eq. 4", "Eq. 5"]);
     let of_all = Table {
         title: String::new(),
         note: "For each Laplacian: the best t for the mean error and the error there, the mean error at Eq. 1, and the gains of \
@@ -514,7 +532,7 @@ pub(super) fn models(content: &Content) -> Markup {
                says better or worse."
             .to_owned(),
         groups: [(String::new(), 8)].into_iter().chain(groups).collect(),
-        head: ["model", "N_v", "N_f", "g", "ē", "σ", "σ / ē", "max angle"].into_iter().chain(head).map(str::to_owned).collect(),
+        head: ["model", "vertices", "triangles", "g", "ē", "σ", "σ / ē", "max angle"].into_iter().chain(head).map(str::to_owned).collect(),
         rows: content.models.iter().map(row).collect(),
     };
     table(&of_all)

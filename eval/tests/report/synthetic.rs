@@ -2,11 +2,12 @@
 
 use taut::{Laplacian, TimeFormula, TimeScale};
 use taut_eval::report::{
-    Beside, Claim, Content, Correlation, CorrelationRow, Counts, Finding, Fit, Line, Picture, Places, Printed, Table, Trend,
+    Beside, Claim, Content, Correlation, CorrelationRow, Counts, Finding, Fit, Line, Picture, Places, Printed, Table,
+    Trend,
 };
 use taut_eval::{
-    Best, FORMULAS, FormulaGain, Interval, LAPLACIANS, LaplacianStudy, Measure, ModelProperties, Outcome, Point, Property,
-    Ratios, SCALES, Study, Sweep,
+    Best, FORMULAS, FormulaGain, Interval, LAPLACIANS, LaplacianStudy, Measure, ModelProperties, Outcome, Point,
+    Property, Ratios, SCALES, Study, Sweep,
 };
 
 /// Numbers in [0, 1) that look like chance: a Weyl sequence, squared to the middle.
@@ -65,15 +66,19 @@ fn interval(chance: &mut Chance, ratio: f64, width: f64) -> Interval {
 }
 
 fn outcome(chance: &mut Chance, t: f64, least: f64, ratio: f64) -> Outcome {
-    let mut ratios = |width| Ratios {
-        mean: interval(chance, ratio, width),
-        median: interval(chance, 0.95 * ratio, 1.3 * width),
-    };
+    let mut ratios =
+        |width| Ratios { mean: interval(chance, ratio, width), median: interval(chance, 0.95 * ratio, 1.3 * width) };
     let (over_vertices, over_sources) = (ratios(0.02), Some(ratios(0.15)));
     Outcome { t, mean: 2.0 * least * ratio, median: 1.5 * least * ratio, over_vertices, over_sources }
 }
 
-fn formula(chance: &mut Chance, p: &ModelProperties, least: f64, formula: TimeFormula, scale: TimeScale) -> FormulaGain {
+fn formula(
+    chance: &mut Chance,
+    p: &ModelProperties,
+    least: f64,
+    formula: TimeFormula,
+    scale: TimeScale,
+) -> FormulaGain {
     let unit = if scale == TimeScale::Paper { 1.0 } else { p.scale };
     let original = p.mean_edge * p.mean_edge;
     let t = match formula {
@@ -107,7 +112,8 @@ pub(crate) fn study(name: &str, seed: u64) -> Study {
         let best = original * chance.within(-1.0, 2.0).exp();
         let sweep = sweep(&mut chance, best, least);
         let all = SCALES.iter().flat_map(|&(_, scale)| FORMULAS.iter().map(move |&(_, formula)| (formula, scale)));
-        let formulas = all.map(|(formula, scale)| self::formula(&mut chance, &properties, least, formula, scale)).collect();
+        let formulas =
+            all.map(|(formula, scale)| self::formula(&mut chance, &properties, least, formula, scale)).collect();
         let search = Measure::ALL.map(|measure| Best { probes: 51, ..sweep.best(measure) });
         LaplacianStudy { laplacian, sweep, search, formulas }
     });
@@ -115,16 +121,76 @@ pub(crate) fn study(name: &str, seed: u64) -> Study {
 }
 
 pub(crate) const MODELS: [&str; 70] = [
-    "suzanne", "helmet_genus3", "paper_fandisk2", "plane_grid", "beetle_lowres_nm", "bumpy", "sub_nm", "boeing_soup",
-    "head_open", "cheburashka_sub", "klingon_starship", "many_small_holes", "blobby_shuffled", "bones_26cc", "truck_nm",
-    "triceratops_slivers", "cow_nm_vertex", "teapot", "knot1_genus1", "office_chair_bad", "threeholes_genus3",
-    "anchor_dense", "bunny10k_unref", "b9_mesh_47cc", "mech_holes_shark", "paper_homer", "twirl_genus1", "hero_soup",
-    "louvre_cad", "fandisk", "genus3", "cylinder_locally_refined", "tvb_face_surface", "paper_camel", "max_planck",
-    "cup_genus2", "rocker_arm", "camelhead_open", "mannequin_devil", "fertility", "1", "2", "3", "4", "5",
-    "armadillo_uniform", "ankylosaurus", "elephant", "bimba", "pizza_genus73", "mountain_terrain", "gargoyle", "dilo",
-    "soccerball_genus31", "teapot_genus2", "bunny_stanford_unref", "botijo_genus5", "rangemap_lato180", "cube_40k_nm",
-    "nefertiti", "lucy", "seahorse_genus8", "dragon_nm", "lion_100k", "sketched_brunnen", "turbineblade", "tvb_cortex",
-    "igea", "igea_x4", "a_model_with_a_name_that_is_much_too_long",
+    "suzanne",
+    "helmet_genus3",
+    "paper_fandisk2",
+    "plane_grid",
+    "beetle_lowres_nm",
+    "bumpy",
+    "sub_nm",
+    "boeing_soup",
+    "head_open",
+    "cheburashka_sub",
+    "klingon_starship",
+    "many_small_holes",
+    "blobby_shuffled",
+    "bones_26cc",
+    "truck_nm",
+    "triceratops_slivers",
+    "cow_nm_vertex",
+    "teapot",
+    "knot1_genus1",
+    "office_chair_bad",
+    "threeholes_genus3",
+    "anchor_dense",
+    "bunny10k_unref",
+    "b9_mesh_47cc",
+    "mech_holes_shark",
+    "paper_homer",
+    "twirl_genus1",
+    "hero_soup",
+    "louvre_cad",
+    "fandisk",
+    "genus3",
+    "cylinder_locally_refined",
+    "tvb_face_surface",
+    "paper_camel",
+    "max_planck",
+    "cup_genus2",
+    "rocker_arm",
+    "camelhead_open",
+    "mannequin_devil",
+    "fertility",
+    "1",
+    "2",
+    "3",
+    "4",
+    "5",
+    "armadillo_uniform",
+    "ankylosaurus",
+    "elephant",
+    "bimba",
+    "pizza_genus73",
+    "mountain_terrain",
+    "gargoyle",
+    "dilo",
+    "soccerball_genus31",
+    "teapot_genus2",
+    "bunny_stanford_unref",
+    "botijo_genus5",
+    "rangemap_lato180",
+    "cube_40k_nm",
+    "nefertiti",
+    "lucy",
+    "seahorse_genus8",
+    "dragon_nm",
+    "lion_100k",
+    "sketched_brunnen",
+    "turbineblade",
+    "tvb_cortex",
+    "igea",
+    "igea_x4",
+    "a_model_with_a_name_that_is_much_too_long",
 ];
 
 pub(crate) fn models() -> Vec<Study> {
@@ -137,9 +203,9 @@ pub(crate) fn basic() -> Vec<Study> {
 
 /// A PNG of one pixel.
 const PNG: [u8; 67] = [
-    137, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0, 0, 1, 0, 0, 0, 1, 8, 6, 0, 0, 0, 31, 21, 196, 137,
-    0, 0, 0, 10, 73, 68, 65, 84, 120, 156, 99, 0, 1, 0, 0, 5, 0, 1, 13, 10, 45, 180, 0, 0, 0, 0, 73, 69, 78, 68, 174, 66, 96,
-    130,
+    137, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0, 0, 1, 0, 0, 0, 1, 8, 6, 0, 0, 0, 31, 21, 196,
+    137, 0, 0, 0, 10, 73, 68, 65, 84, 120, 156, 99, 0, 1, 0, 0, 5, 0, 1, 13, 10, 45, 180, 0, 0, 0, 0, 73, 69, 78, 68,
+    174, 66, 96, 130,
 ];
 
 fn claim(id: &str, text: &str, paper: &str, ours: &str, verdict: Finding) -> Claim {
@@ -152,11 +218,41 @@ fn claim(id: &str, text: &str, paper: &str, ours: &str, verdict: Finding) -> Cla
 fn claims() -> Vec<Claim> {
     vec![
         claim("C1", "On 1.obj the least mean error is at t = 0.0254.", "0.53031 %", "0.53031 %", Finding::Holds),
-        claim("C2", "The least mean error grows from 1.obj to 5.obj.", "0.530 to 0.922 %", "0.530 to 0.871 %", Finding::Holds),
-        claim("C3", "Of all properties the standard deviation of the edge lengths correlates most with the best t.", "0.9593", "0.9471; 0.61 with intrinsic Delaunay", Finding::Partly),
-        claim("C4", "Eq. 2 is better than Eq. 1 on most models.", "21 of 35 better, 10 worse", "31 of 70 better, 34 worse", Finding::Fails),
-        claim("C5", "There is one minimum only.", "said of all curves", "70 of 70 with plain cotangents", Finding::Holds),
-        claim("C6", "95 % of the best t are below the maximum t.", "not shown", "defined so that it is always", Finding::Open),
+        claim(
+            "C2",
+            "The least mean error grows from 1.obj to 5.obj.",
+            "0.530 to 0.922 %",
+            "0.530 to 0.871 %",
+            Finding::Holds,
+        ),
+        claim(
+            "C3",
+            "Of all properties the standard deviation of the edge lengths correlates most with the best t.",
+            "0.9593",
+            "0.9471; 0.61 with intrinsic Delaunay",
+            Finding::Partly,
+        ),
+        claim(
+            "C4",
+            "Eq. 2 is better than Eq. 1 on most models.",
+            "21 of 35 better, 10 worse",
+            "31 of 70 better, 34 worse",
+            Finding::Fails,
+        ),
+        claim(
+            "C5",
+            "There is one minimum only.",
+            "said of all curves",
+            "70 of 70 with plain cotangents",
+            Finding::Holds,
+        ),
+        claim(
+            "C6",
+            "95 % of the best t are below the maximum t.",
+            "not shown",
+            "defined so that it is always",
+            Finding::Open,
+        ),
     ]
 }
 
@@ -167,7 +263,12 @@ fn beside() -> Vec<Table> {
         ("2.obj".to_owned(), vec![number(0.60318, 0.599_871), number(0.0361, 0.0357)]),
         ("3.obj".to_owned(), vec![number(0.7676, 0.7012), Beside { paper: Some(0.0486), ours: None }]),
     ];
-    vec![Table::beside("Table 6. Least mean error", "Marked: the same to every printed digit.", &[("least mean error, %", 5), ("t", 4)], &rows)]
+    vec![Table::beside(
+        "Table 6. Least mean error",
+        "Marked: the same to every printed digit.",
+        &[("least mean error, %", 5), ("t", 4)],
+        &rows,
+    )]
 }
 
 fn correlations() -> Vec<Correlation> {
@@ -190,13 +291,18 @@ fn fits() -> Vec<Fit> {
     let [ours, paper] = [[0.0246, 0.0351, 0.0521, 0.0719, 0.068], [0.0246, 0.0365, 0.0553, 0.0815, 0.0613]];
     let points = |t: [f64; 5]| sigma.into_iter().zip(t).map(|(x, y)| [x, y]).collect::<Vec<_>>();
     let line = Line { slope: 0.981, constant: -0.0003, r_squared: 0.912 };
-    let both = |measure| LAPLACIANS.map(|(_, laplacian)| Fit { measure, laplacian, ours: points(ours), paper: points(paper), line });
+    let both = |measure| {
+        LAPLACIANS.map(|(_, laplacian)| Fit { measure, laplacian, ours: points(ours), paper: points(paper), line })
+    };
     Measure::ALL.into_iter().flat_map(both).collect()
 }
 
 pub(crate) fn content<'a>(basic: &'a [Study], models: &'a [Study]) -> Content<'a> {
-    let trend = |property, paper: [f64; 5], line| {
-        Trend { property, paper: paper.to_vec(), ours: paper.map(|value| 1.01 * value).to_vec(), line }
+    let trend = |property, paper: [f64; 5], line| Trend {
+        property,
+        paper: paper.to_vec(),
+        ours: paper.map(|value| 1.01 * value).to_vec(),
+        line,
     };
     let table = |title: &str| Table {
         title: title.to_owned(),
