@@ -202,12 +202,13 @@ impl Panel {
         for mark in &self.marks {
             left_out += self.draw_mark(&plane, mark)?;
         }
-        let [_, right] = self.x.ends;
-        let [_, above] = self.y.ends;
+        let [[left, right], [below, above]] = [self.x.ends, self.y.ends];
         let up = if self.is_tall() { -30 } else { -10 };
-        label(&plane, [self.x.ends[0], above], [0, up], HPos::Left, &self.head, INK)?;
+        label(&plane, [left, above], [0, up], HPos::Left, &self.head, INK)?;
         if left_out > 0 {
-            label(&plane, [right, above], [0, up], HPos::Right, &format!("{left_out} not shown"), SOFT)?;
+            // Beside the head of a tall panel there is room; in a small one the head may be as wide as the panel.
+            let (y, down) = if self.is_tall() { (above, up) } else { (below, -9) };
+            label(&plane, [right, y], [-3, down], HPos::Right, &format!("{left_out} not shown"), SOFT)?;
         }
         Ok(())
     }

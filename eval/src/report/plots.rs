@@ -22,6 +22,9 @@ const ROW: i32 = 22;
 /// Gains below this are drawn at the edge, with their number.
 const LEAST_GAIN: f64 = -100.0;
 
+/// No error at all.
+const MOST_GAIN: f64 = 100.0;
+
 /// Eq. 4, of which the paper gives no R².
 const EQUATION_4: Line = Line { slope: 1.01204, constant: -0.0001, r_squared: f64::NAN };
 
@@ -163,7 +166,7 @@ pub(super) fn gains(models: &[Study], formula: TimeFormula, measure: Measure) ->
         std::iter::once(line(zero, SOFT, 1.5)).chain(marks).collect()
     };
     let panels = laplacians.iter().map(|&laplacian| {
-        let x = Axis::linear("gain over Eq. 1, %", [LEAST_GAIN, 100.0], 5);
+        let x = Axis::linear("gain over Eq. 1, %", [LEAST_GAIN, MOST_GAIN], 5);
         (laplacian_name(laplacian).to_owned(), x, shown(laplacian))
     });
     Rows {
@@ -182,7 +185,7 @@ pub(super) fn gains(models: &[Study], formula: TimeFormula, measure: Measure) ->
 /// An interval of ratios as gains, coloured by what it says.
 fn whisker(interval: &Interval, row: f64, is_first: bool) -> Vec<Mark> {
     let colour = colours::of_verdict(interval.verdict());
-    let percent = |ratio: f64| (100.0 * (1.0 - ratio)).max(LEAST_GAIN);
+    let percent = |ratio: f64| (100.0 * (1.0 - ratio)).clamp(LEAST_GAIN, MOST_GAIN);
     let (width, shape) = if is_first { (2.5, Shape::Dot) } else { (1.25, Shape::Ring) };
     let mut marks = vec![line(vec![[percent(interval.high), row], [percent(interval.low), row]], colour, width)];
     if percent(interval.ratio) > LEAST_GAIN || interval.ratio.is_nan() {

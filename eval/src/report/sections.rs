@@ -35,22 +35,28 @@ pub(super) fn claims(claims: &[Claim]) -> Markup {
     html! {
         @if claims.is_empty() { (nothing("No claim was tried.")) } @else {
             p { "Each claim of the paper, its figures and ours. The reasons are " a href="#verdicts" { "at the end" } "." }
-            div class="scroll" tabindex="0" role="group" aria-label="Verdicts" {
+            div class="scroll verdicts" tabindex="0" role="group" aria-label="Verdicts" {
                 table class="claims" {
                     thead {
-                        tr { th { "" } th { "verdict" } th { "claim" } th { "paper" } th { "ours" } }
-                    }
-                    tbody {
-                        @for claim in claims {
-                            tr {
-                                th scope="row" { a href={ "#" (anchor(claim)) } { (claim.id) } }
-                                td class="found" { (badge(claim.verdict)) }
-                                td { (claim.text) } td { (claim.paper) } td { (claim.ours) }
-                            }
+                        tr {
+                            @for name in ["", "verdict", "claim", "paper", "ours"] { th scope="col" { (name) } }
                         }
                     }
+                    tbody { @for claim in claims { (claim_row(claim)) } }
                 }
             }
+        }
+    }
+}
+
+fn claim_row(claim: &Claim) -> Markup {
+    html! {
+        tr {
+            th scope="row" { a href={ "#" (anchor(claim)) } { (claim.id) } }
+            td { (badge(claim.verdict)) }
+            td { (claim.text) }
+            td data-name="paper" { (claim.paper) }
+            td data-name="ours" { (claim.ours) }
         }
     }
 }
@@ -362,7 +368,7 @@ pub(super) fn verification(content: &Content) -> Markup {
 fn gain_figure(content: &Content, (number, formula, measure): (u32, TimeFormula, Measure), keys: Markup) -> Markup {
     let name = format!("Figure {number}.");
     let caption = format!(
-        "Gain of {} over Eq. 1 in the {} error. Models are in the order of their gain with the first Laplacian, in both panels. \
+        "Gain of {} over Eq. 1 in the {} error. Models are in the order of their gain in the first panel, in both. \
          Gains below −100 % are at the edge, with an arrow and their number.",
         equation(formula),
         measure_name(measure)

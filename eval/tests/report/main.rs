@@ -193,6 +193,19 @@ fn whatever_was_found_is_drawn_or_said_to_be_left_out() {
 }
 
 #[test]
+fn a_gain_that_is_no_number_is_left_out_and_one_without_end_is_at_the_edge() {
+    for (value, is_left_out) in [(f64::NAN, true), (f64::INFINITY, false)] {
+        let models = [flat("flat", value)];
+        let page = html(&synthetic::content(&[], &models));
+        let (_, figure) = page.split_once("<strong>Figure 10.").unwrap();
+        let (figure, _) = figure.split_once("</figure>").unwrap();
+        assert_eq!(figure.contains("not shown"), is_left_out, "{value}");
+        // With each Laplacian.
+        assert_eq!(figure.matches("−∞").count(), if is_left_out { 0 } else { 2 });
+    }
+}
+
+#[test]
 fn studies_of_one_laplacian_or_of_none_are_shown() {
     let mut models = synthetic::models();
     models.truncate(3);
