@@ -26,6 +26,7 @@ const MOST: f64 = 1e100;
 /// From one end to the other, with places that are named.
 #[derive(Debug, Clone)]
 pub(super) struct Axis {
+    /// What stands below it.
     name: String,
     /// The ends, as logarithms on a logarithmic axis.
     ends: [f64; 2],
@@ -232,11 +233,7 @@ impl Panel {
             plane.draw(&PathElement::new([(left, *at), (right, *at)], grid))?;
             label(plane, [left, *at], [-7, 0], HPos::Right, name, INK)?;
         }
-        label(plane, [left, below], [self.width / 2, 32], HPos::Center, &self.x.name, INK)?;
-        if !self.y.name.is_empty() {
-            label(plane, [left, above], [-40, -28], HPos::Left, &self.y.name, INK)?;
-        }
-        Ok(())
+        label(plane, [left, below], [self.width / 2, 32], HPos::Center, &self.x.name, INK)
     }
 
     /// Draws what has a place; how many points have none.

@@ -77,7 +77,7 @@ pub(super) fn curves(basic: &[Study], laplacian: Laplacian) -> String {
     let sweeps: Vec<&Sweep> = basic.iter().filter_map(|study| Some(&pick::with(study, laplacian)?.sweep)).collect();
     let points = || sweeps.iter().flat_map(|sweep| &sweep.points);
     let x = Axis::logarithmic("t", points().map(|point| point.t), 6);
-    let y = Axis::logarithmic("mean error, %", points().map(|point| point.mean), 5);
+    let y = Axis::logarithmic("", points().map(|point| point.mean), 5);
     let mut marks = Vec::new();
     for (sweep, colour) in sweeps.iter().zip(ORDERED.into_iter().cycle()) {
         marks.push(line(sweep.points.iter().map(|point| [point.t, point.mean]).collect(), colour, 1.5));
@@ -85,9 +85,10 @@ pub(super) fn curves(basic: &[Study], laplacian: Laplacian) -> String {
     for (sweep, colour) in sweeps.iter().zip(ORDERED.into_iter().cycle()) {
         marks.push(point([sweep.mean.t, sweep.mean.error], Shape::Dot, colour));
     }
-    let head = laplacian_name(laplacian).to_owned();
-    let title = format!("mean error over t for each mesh of the basic set, {head}");
-    svg(&title, [462, 380], &[Panel { head, left: 56, top: 54, width: 394, height: 280, x, y, marks }])
+    let name = laplacian_name(laplacian);
+    let head = format!("mean error in %, {name}");
+    let title = format!("mean error over t for each mesh of the basic set, {name}");
+    svg(&title, [462, 376], &[Panel { head, left: 54, top: 30, width: 384, height: 300, x, y, marks }])
 }
 
 /// Figure 9 for one model, small: the mean error over t / ē², with both Laplacians, between the same ends for all.

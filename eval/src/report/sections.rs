@@ -508,7 +508,7 @@ fn picture(picture: &Picture) -> Markup {
     let how = format!("{}, {}", laplacian_name(*laplacian), equation(*formula));
     html! {
         figure {
-            img src={ "data:image/png;base64," (STANDARD.encode(png)) } alt={ "Errors on " (model) ", " (how) } loading="lazy";
+            img src={ "data:image/png;base64," (STANDARD.encode(png)) } alt={ "Errors on " (model) ", " (how) };
             figcaption { strong { (model) } " " (how) ": mean error " (significant(*mean_error)) " %" }
         }
     }
