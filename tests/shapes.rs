@@ -132,3 +132,15 @@ fn the_shipped_mesh_is_what_its_program_makes() {
     }
     assert!(std::fs::metadata(path).unwrap().len() < 1_000_000);
 }
+
+#[test]
+fn subdivision_takes_any_soup() {
+    // Edges whose ends add up to more than a number holds, one of three triangles, and a triangle that repeats a vertex.
+    let far = 1.7e308;
+    let positions = vec![[far, far, 0.0], [far, 0.0, 0.0], [0.0; 3], [0.0, far, 0.0]];
+    let shape = shapes::Shape { positions, triangles: vec![[0, 1, 2], [1, 0, 3], [0, 1, 3], [2, 2, 3]] };
+    let finer = shapes::subdivided(&shape).mesh().unwrap();
+    assert_eq!(finer.positions()[4], [far, far / 2.0, 0.0]);
+    assert_eq!((finer.vertex_count(), finer.triangle_count()), (4 + 6, 16));
+    assert_eq!(finer.ignored_triangles(), [12, 13, 14, 15]);
+}

@@ -128,7 +128,7 @@ fn draw<'a>(
     let places = Places::new(sources, mesh)?;
     let errors = reference.map(|reference| percents(distances, reference));
     let (quantity, values) = match &errors {
-        Some(errors) => (Quantity::Error, &errors[..]),
+        Some(errors) => (Quantity::Error { top: None }, &errors[..]),
         None => (Quantity::Distance, distances),
     };
     let Places { points: sources, lines } = &places;

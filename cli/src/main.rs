@@ -8,6 +8,7 @@ mod compare;
 mod curves;
 mod distance;
 mod drawing;
+mod evaluate;
 mod field;
 mod info;
 mod input;
@@ -39,6 +40,7 @@ struct Cli {
 enum Command {
     Compare(compare::CompareArgs),
     Distance(distance::DistanceArgs),
+    Evaluate(evaluate::EvaluateArgs),
     Info(info::InfoArgs),
     Isolines(isolines::IsolinesArgs),
     Path(path::PathArgs),
@@ -52,7 +54,7 @@ impl Command {
         match self {
             Command::Compare(_) => Ok(()),
             Command::Distance(args) => args.check(),
-            Command::Info(_) => Ok(()),
+            Command::Evaluate(_) | Command::Info(_) => Ok(()),
             Command::Isolines(args) => args.check(),
             Command::Path(args) => args.check(),
             Command::Sample(args) => args.check(),
@@ -64,6 +66,7 @@ impl Command {
         match self {
             Command::Compare(args) => compare::run(args),
             Command::Distance(args) => distance::run(args),
+            Command::Evaluate(args) => evaluate::run(args),
             Command::Info(args) => info::run(args),
             Command::Isolines(args) => isolines::run(args),
             Command::Path(args) => path::run(args),

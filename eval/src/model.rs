@@ -42,6 +42,14 @@ impl Model {
         }
     }
 
+    /// Its mesh as an OBJ file; coordinates are the shortest decimals that read back to the same numbers.
+    #[must_use]
+    pub fn obj(&self) -> String {
+        let vertices = self.mesh.positions().iter().map(|[x, y, z]| format!("v {x} {y} {z}\n"));
+        let faces = self.mesh.triangles().iter().map(|t| t.map(|v| (u64::from(v) + 1).to_string()));
+        vertices.chain(faces.map(|[a, b, c]| format!("f {a} {b} {c}\n"))).collect()
+    }
+
     /// Where the paper measures from: on the first mesh of its basic set the vertex of its Table 1, else the first vertex,
     /// that is, the first one some triangle uses. `None` where there is no triangle.
     #[must_use]
@@ -56,7 +64,7 @@ impl Model {
 }
 
 /// The name of a file without `.gz` and without what stands behind its last dot.
-fn name(path: &Path) -> String {
+pub(crate) fn name(path: &Path) -> String {
     let file = path.file_name().unwrap_or_default().to_string_lossy();
     let file = file.strip_suffix(".gz").unwrap_or(&file);
     file.rsplit_once('.').map_or(file, |(name, _)| name).to_owned()

@@ -9,7 +9,8 @@ use crate::accuracy::Errors;
 use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::properties::ModelProperties;
-use taut::{Control, ExactOptions, ExactSolver, HeatOptions, HeatSolver, Source, TimeStep};
+use crate::sweep::Point;
+use taut::{Control, ExactOptions, ExactSolver, HeatOptions, HeatSolver, Laplacian, Reason, Shift, Source, TimeStep};
 
 /// A model with its exact distances and the heat method ready for any t.
 pub struct Probe<'a> {
@@ -19,6 +20,12 @@ pub struct Probe<'a> {
     /// s².
     area_scale: f64,
     control: &'a Control,
+}
+
+/// The paper's setting, but for the Laplacian: its tool moves the least distance to 0, and reflects heat at boundaries.
+#[must_use]
+pub fn setting(laplacian: Laplacian) -> HeatOptions {
+    HeatOptions { laplacian, shift: Shift::Min, boundary: 0.0, ..HeatOptions::default() }
 }
 
 /// Exact distances from the source of `model`; +inf where it does not lead.
@@ -60,5 +67,29 @@ impl<'a> Probe<'a> {
     /// As [`Probe::distances`].
     pub fn errors(&self, t: f64) -> Result<Errors> {
         Ok(Errors::new(&self.distances(t)?, self.exact))
+    }
+
+    /// The errors at t as a point of the curve; `None` where there are no distances, or an error is not finite.
+    ///
+    /// # Errors
+    /// As [`Probe::distances`], but for [`Reason::NotPositiveDefinite`] and [`Reason::BadTimeStep`].
+    pub fn point(&self, t: f64) -> Result<Option<Point>> {
+        match self.errors(t) {
+            Ok(Errors { mean_percent: mean, median_percent: median, .. }) => {
+                Ok(Some(Point { t, mean, median }).filter(|_| mean.is_finite() && median.is_finite()))
+            }
+            Err(Error::Model { error, .. })
+                if matches!(error.reason(), Reason::NotPositiveDefinite | Reason::BadTimeStep) =>
+            {
+                Ok(None)
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The model.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        self.model
     }
 }

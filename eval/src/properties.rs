@@ -8,7 +8,8 @@ use serde::{Deserialize, Serialize};
 use taut::Properties;
 
 /// A property of the paper's list.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Property {
     /// N_v, the number of vertices.
     Vertices,
@@ -93,6 +94,24 @@ impl Property {
             Property::Q2 => "Q2(e)",
             Property::Q3 => "Q3(e)",
             Property::QuartileDeviation => "QD_e",
+        }
+    }
+
+    /// To which power lengths enter it: 1 for a length.
+    #[must_use]
+    pub fn power(self) -> i32 {
+        match self {
+            Property::Variance => 2,
+            Property::MeanEdge
+            | Property::Sigma
+            | Property::MeanDeviation
+            | Property::MinEdge
+            | Property::MaxEdge
+            | Property::Q1
+            | Property::Q2
+            | Property::Q3
+            | Property::QuartileDeviation => 1,
+            _ => 0,
         }
     }
 

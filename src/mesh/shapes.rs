@@ -152,15 +152,19 @@ fn icosahedron() -> Shape {
     Shape { positions: positions.collect(), triangles: triangles.collect() }
 }
 
-/// Each triangle cut in four at the midpoints of its edges: the same surface. The old vertices keep their indices.
+/// Each triangle cut in four at the midpoints of its edges: the same surface. The old vertices keep their indices. Triangles
+/// that repeat a vertex become four that do.
 #[must_use]
 pub fn subdivided(shape: &Shape) -> Shape {
     let mut positions = shape.positions.clone();
     let mut midpoints = HashMap::new();
     let mut midpoint = |a: u32, b: u32| {
+        if a == b {
+            return a;
+        }
         *midpoints.entry((a.min(b), a.max(b))).or_insert_with(|| {
             let [p, q] = [shape.positions[a as usize], shape.positions[b as usize]];
-            positions.push(std::array::from_fn(|axis| 0.5 * (p[axis] + q[axis])));
+            positions.push(std::array::from_fn(|axis| p[axis].midpoint(q[axis])));
             positions.len() as u32 - 1
         })
     };

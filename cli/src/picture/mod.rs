@@ -34,7 +34,8 @@ use range::Range;
 use std::path::PathBuf;
 use surface::Paint;
 use taut::Mesh;
-use view::{Axes, View};
+use view::Axes;
+pub(crate) use view::View;
 
 const HEADING: &str = "Options of the picture";
 
@@ -63,13 +64,16 @@ fn size(text: &str) -> std::result::Result<[u32; 2], String> {
 }
 
 /// What the values are: it decides the colours, the title and, by itself, whether there are isolines.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Quantity {
     Distance,
     /// Anything.
     Value,
-    /// In percent.
-    Error,
+    /// In percent; what is beyond `top` shares its colour.
+    Error {
+        /// By default the largest, unless a few are far above the rest.
+        top: Option<f64>,
+    },
     /// Which of the [`CELL_COLOURS`] a cell has.
     Cell,
 }
@@ -97,8 +101,7 @@ impl PictureArgs {
     /// The file of the picture, if one was asked for.
     pub(crate) fn draw(&self, picture: &Picture) -> Result<Option<Output<'_>>> {
         let Some(path) = &self.picture else { return Ok(None) };
-        let canvas = picture.draw(self.view, self.size());
-        let bytes = canvas.png().map_err(|error| format!("{}: {error}", path.display()))?;
+        let bytes = picture.png(self.view, self.size()).map_err(|error| format!("{}: {error}", path.display()))?;
         Ok(Some((path, bytes)))
     }
 
@@ -159,7 +162,7 @@ impl Quantity {
             Quantity::Distance | Quantity::Value => {
                 ColourMap::through(&[0xff_f1_d6, 0xff_c8_8a, 0xf8_8a_68, 0xd3_55_80, 0x8a_3f_9b, 0x3b_32_80])
             }
-            Quantity::Error => {
+            Quantity::Error { .. } => {
                 ColourMap::through(&[0xf4_f4_f0, 0xf7_d8_a8, 0xf0_9a_5e, 0xd6_4a_3f, 0x8e_17_36, 0x4a_0c_2c])
             }
             Quantity::Cell => ColourMap::steps(&CELLS),
@@ -169,8 +172,8 @@ impl Quantity {
     /// Where the map begins and ends.
     fn range(self, values: &[f64]) -> Range {
         match self {
-            Quantity::Distance | Quantity::Value => Range::new(values, false),
-            Quantity::Error => Range::new(values, true),
+            Quantity::Distance | Quantity::Value => Range::new(values),
+            Quantity::Error { top } => Range::of_errors(values, top),
             Quantity::Cell => {
                 let last = CELL_COLOURS as f64 - 1.0;
                 Range { low: 0.0, high: last, most: last }
@@ -182,13 +185,32 @@ impl Quantity {
         match self {
             Quantity::Distance => ["Distance", "mesh units"],
             Quantity::Value => ["Value", ""],
-            Quantity::Error => ["Error", "%"],
+            Quantity::Error { .. } => ["Error", "%"],
             Quantity::Cell => ["Nearest", "source"],
         }
     }
 }
 
 impl Picture<'_> {
+    /// The file of the picture, seen from `view` or else from where most is seen.
+    pub(crate) fn png(&self, view: Option<View>, size: [u32; 2]) -> Result<Vec<u8>> {
+        self.draw(view, size).png().map_err(|error| error.to_string())
+    }
+
+    /// From where most is seen, for other pictures of the same surface; `None` where there is no surface.
+    pub(crate) fn best_view(&self) -> Option<View> {
+        let body = Body::new(self.mesh, self.sources)?;
+        let range = self.quantity.range(self.values);
+        let values: Vec<f32> = self.values.iter().map(|&value| range.place(value)).collect();
+        let [from, _] = Axes::guess(&body).best(&body, &values, &self.marked(&body));
+        Some(View::From(from))
+    }
+
+    /// Sources and lines.
+    fn marked(&self, body: &Body) -> Vec<Vec3> {
+        self.sources.iter().chain(self.lines.iter().flatten()).map(|&point| body.place(point)).collect()
+    }
+
     fn draw(&self, view: Option<View>, [width, height]: [u32; 2]) -> Canvas {
         let em = 0.022 * width.min(height) as f32;
         let range = self.quantity.range(self.values);
@@ -237,9 +259,7 @@ impl Picture<'_> {
     fn camera(&self, body: &Body, values: &[f32], view: Option<View>, size: [u32; 2], legend: f32) -> (Camera, Axes) {
         let [width, height] = size.map(|side| side as f32);
         let axes = Axes::guess(body);
-        let marked = self.sources.iter().chain(self.lines.iter().flatten());
-        let marked: Vec<Vec3> = marked.map(|&point| body.place(point)).collect();
-        let [from, up] = view.map_or_else(|| axes.best(body, values, &marked), |view| axes.named(view));
+        let [from, up] = view.map_or_else(|| axes.best(body, values, &self.marked(body)), |view| axes.named(view));
         let margin = 0.06 * width.min(height);
         let [free, down] = [width - 2.0 * margin - legend, height - 2.0 * margin];
         let frame = Frame { left: margin, top: margin, width: free, height: down };
@@ -251,7 +271,7 @@ impl Picture<'_> {
         let levels = match (self.levels, self.quantity) {
             (Some(levels), _) => levels.to_vec(),
             (None, Quantity::Distance | Quantity::Value) => range.ticks(30.0),
-            (None, Quantity::Error | Quantity::Cell) => Vec::new(),
+            (None, Quantity::Error { .. } | Quantity::Cell) => Vec::new(),
         };
         let mut levels: Vec<f32> = levels.into_iter().map(|level| range.place(level)).collect();
         levels.sort_by(f32::total_cmp);

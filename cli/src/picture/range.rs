@@ -10,20 +10,25 @@ pub(super) struct Range {
 }
 
 impl Range {
-    /// Of the finite values; of errors the largest hundredth is cut off where it is far above the others, or a few bad
-    /// triangles would leave nothing but the lowest colour.
-    pub(super) fn new(values: &[f64], from_zero: bool) -> Range {
-        let mut finite: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
+    /// Of the finite values.
+    pub(super) fn new(values: &[f64]) -> Range {
+        let finite = || values.iter().copied().filter(|value| value.is_finite());
+        let (least, most) = (finite().reduce(f64::min), finite().reduce(f64::max));
+        let most = most.unwrap_or(0.0);
+        Range { low: least.unwrap_or(0.0), high: most, most }
+    }
+
+    /// Of the finite errors up to `top`. By default the largest hundredth is cut off where it is far above the others, or
+    /// a few bad triangles would leave nothing but the lowest colour.
+    pub(super) fn of_errors(errors: &[f64], top: Option<f64>) -> Range {
+        let mut finite: Vec<f64> = errors.iter().copied().filter(|error| error.is_finite()).collect();
         finite.sort_by(f64::total_cmp);
-        let [Some(&least), Some(&most)] = [finite.first(), finite.last()] else {
-            return Range { low: 0.0, high: 0.0, most: 0.0 };
-        };
-        if !from_zero {
-            return Range { low: least, high: most, most };
-        }
-        let usual = finite[finite.len() * 99 / 100]; // less than len
-        let is_cut = usual > 0.0 && most > 1.5 * usual;
-        Range { low: 0.0, high: if is_cut { usual } else { most }, most }
+        let most = finite.last().copied().unwrap_or(0.0);
+        let high = top.unwrap_or_else(|| {
+            let usual = finite.get(finite.len() * 99 / 100).copied().unwrap_or(0.0);
+            if usual > 0.0 && most > 1.5 * usual { usual } else { most }
+        });
+        Range { low: 0.0, high, most }
     }
 
     pub(super) fn is_cut(self) -> bool {
@@ -101,16 +106,18 @@ mod tests {
     #[test]
     fn errors_are_cut_only_where_a_few_are_far_above_the_rest() {
         let mut errors: Vec<f64> = (0..1000).map(|i| f64::from(i) / 1000.0).collect();
-        assert!(!Range::new(&errors, true).is_cut());
+        assert!(!Range::of_errors(&errors, None).is_cut());
         errors.extend([50.0, f64::INFINITY, f64::NAN]);
-        let range = Range::new(&errors, true);
+        let range = Range::of_errors(&errors, None);
         assert_eq!((range.low, range.high, range.most), (0.0, 0.99, 50.0));
         assert!(range.place(50.0) > 1.0 && range.place(f64::INFINITY).is_nan());
+        let range = Range::of_errors(&errors, Some(2.0));
+        assert_eq!((range.low, range.high, range.most), (0.0, 2.0, 50.0));
     }
 
     #[test]
     fn the_whole_range_of_numbers_has_places() {
-        let range = Range::new(&[-f64::MAX, 0.0, f64::MAX], false);
+        let range = Range::new(&[-f64::MAX, 0.0, f64::MAX]);
         assert_eq!([-f64::MAX, 0.0, f64::MAX].map(|value| range.place(value)), [0.0, 0.5, 1.0]);
     }
 }

@@ -45,6 +45,15 @@ pub enum Measure {
 impl Measure {
     /// Both, the paper's order.
     pub const ALL: [Measure; 2] = [Measure::Mean, Measure::Median];
+
+    /// What it is called.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Measure::Mean => "mean",
+            Measure::Median => "median",
+        }
+    }
 }
 
 impl Point {

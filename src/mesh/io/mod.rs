@@ -43,7 +43,8 @@ pub enum MeshFormat {
 impl MeshFormat {
     /// The format that a file's name tells: `.glb`, `.obj`, `.off`, `.ply` or `.stl` in any case, with or without `.gz`
     /// behind it.
-    fn of(path: &Path) -> Option<MeshFormat> {
+    #[must_use]
+    pub fn of(path: &Path) -> Option<MeshFormat> {
         let name = path.file_name()?.to_string_lossy().to_ascii_lowercase();
         match name.strip_suffix(".gz").unwrap_or(&name).rsplit_once('.')?.1 {
             "glb" => Some(MeshFormat::Glb),
