@@ -191,6 +191,9 @@ impl Quantity {
     }
 }
 
+/// Letters of fewer pixels cannot be read.
+const LEAST_EM: f32 = 11.0;
+
 impl Picture<'_> {
     /// The file of the picture, seen from `view` or else from where most is seen.
     pub(crate) fn png(&self, view: Option<View>, size: [u32; 2]) -> Result<Vec<u8>> {
@@ -212,7 +215,7 @@ impl Picture<'_> {
     }
 
     fn draw(&self, view: Option<View>, [width, height]: [u32; 2]) -> Canvas {
-        let em = 0.022 * width.min(height) as f32;
+        let em = (0.022 * width.min(height) as f32).max(LEAST_EM);
         let range = self.quantity.range(self.values);
         let map = self.quantity.map();
         let mut canvas = Canvas::new(width, height, srgb(shade::BACKGROUND));

@@ -47,6 +47,17 @@ pub(super) fn table(table: &Table) -> Markup {
     }
 }
 
+/// A table whose title opens it.
+pub(super) fn folded(table: &Table, is_open: bool) -> Markup {
+    html! {
+        details open[is_open] {
+            summary { (table.title) }
+            @if !table.note.is_empty() { p class="note" { (table.note) } }
+            (bare_table(table))
+        }
+    }
+}
+
 fn bare_table(table: &Table) -> Markup {
     let is_number = numeric_columns(table);
     let starts: Vec<usize> = group_starts(table);

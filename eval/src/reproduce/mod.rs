@@ -169,8 +169,9 @@ impl Reproduction<'_> {
                 self.observer.advanced(0.7 * share * (done - told.replace(done)));
             },
         )?;
+        let is_named = job.basic.is_some() || paper::table5(&job.name).is_some();
         let is_papers = job.basic.is_some() || is_own_tessellation(&study);
-        let ablation = match study.with(Laplacian::Plain).filter(|_| is_papers) {
+        let ablation = match study.with(Laplacian::Plain).filter(|_| is_named) {
             Some(of) => {
                 Some(ablation(&model, &exact, Measure::ALL.map(|measure| of.sweep.best(measure).t), self.control)?)
             }
