@@ -1,7 +1,7 @@
 //! How good is a time step? The evaluation of the heat method's t on any set of meshes: what the paper did, for everyone.
 //!
 //! A [`Model`] has [`ModelProperties`]; a [`Probe`] tells the errors of the heat method at any t; a [`Sweep`] finds the best
-//! t; [`FormulaGain`] is what a formula gains over Eq. 1; a [`Study`] is all of it. [`reproduce`] studies all meshes of a
+//! t; [`FormulaGain`] is what a formula gains over Eq. 1; a [`Study`] is all of it. [`reproduce()`] studies all meshes of a
 //! folder and writes a [`report`].
 //!
 //! References: "Wave propagation time optimization for geodesic distances calculation using the Heat Method", Open
@@ -12,6 +12,7 @@ mod accuracy;
 mod basic_set;
 mod claims;
 mod correlate;
+mod draws;
 mod error;
 mod fit;
 mod gain;
@@ -31,6 +32,7 @@ pub use accuracy::{Errors, percents};
 pub use basic_set::{BasicMesh, basic_set};
 pub use claims::{Claim, Evidence, Finding, Judgement, claims};
 pub use correlate::{Correlation, Undefined, correlations};
+pub use draws::Drawn;
 pub use error::{Error, Result};
 pub use fit::{Coefficient, Fit};
 pub use gain::{Bootstrap, Counts, FormulaGain, Interval, Outcome, Ratios, Sources, Verdict, gains};
@@ -40,5 +42,5 @@ pub use probe::{Probe, exact, setting};
 pub use properties::{ModelProperties, Property};
 pub use report::Table;
 pub use reproduce::{Draw, Observer, Options, Reproduction, Summary, mesh_files, reproduce};
-pub use study::{LaplacianStudy, Study};
+pub use study::{LEAST_REACHED, LaplacianStudy, Study};
 pub use sweep::{Best, ErrorCurve, Measure, Point, Range, Sweep};

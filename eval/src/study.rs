@@ -20,11 +20,17 @@ pub struct Study {
     pub properties: ModelProperties,
     /// How many vertices the source reaches, itself included.
     pub reached: usize,
+    /// The sources of the gains, the model's own first; empty where gains were not asked for.
+    pub sources: Vec<u32>,
     /// With each Laplacian.
     pub laplacians: Vec<LaplacianStudy>,
     /// How long this took, in seconds of one thread.
     pub seconds: f64,
 }
+
+/// How many vertices a source has to reach for a model to count in claims and figures: where it reaches fewer, as on a
+/// small part of a mesh in many parts, the errors are of a few edges.
+pub const LEAST_REACHED: usize = 100;
 
 /// What one Laplacian gives.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -71,7 +77,14 @@ impl Study {
         }
         let reached = exact.iter().filter(|distance| distance.is_finite()).count();
         let seconds = start.elapsed().as_secs_f64();
-        Ok(Study { model: model.name.clone(), properties, reached, laplacians: studied, seconds })
+        let sources = gains.map_or(Vec::new(), |(sources, _)| sources.vertices().to_vec());
+        Ok(Study { model: model.name.clone(), properties, reached, sources, laplacians: studied, seconds })
+    }
+
+    /// Whether the model counts in claims and figures: its source reaches at least [`LEAST_REACHED`] vertices.
+    #[must_use]
+    pub fn counts(&self) -> bool {
+        self.reached >= LEAST_REACHED
     }
 
     /// What one of the Laplacians gives; `None` where it was not asked for.

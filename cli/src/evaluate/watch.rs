@@ -88,7 +88,7 @@ impl Bar {
 
 impl Observer for Bar {
     fn planned(&self, models: usize, done_before: usize) {
-        let before = if done_before == 0 { String::new() } else { format!(", {done_before} of them begun before") };
+        let before = if done_before == 0 { String::new() } else { format!(", {done_before} of them done before") };
         self.say(&format!("{models} models{before}"));
     }
 

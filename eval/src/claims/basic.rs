@@ -2,6 +2,7 @@
 
 use super::{Finding, Judged, View, claim, list, too_few, word};
 use crate::correlate::correlations;
+use crate::draws::Drawn;
 use crate::fit::{Coefficient, Fit};
 use crate::paper::{BASIC, EQUATION_4, basic_rows};
 use crate::properties::{ModelProperties, Property};
@@ -25,7 +26,16 @@ pub(super) fn errors_grow(view: &View) -> Judged {
             (false, false) => Finding::DoesNotHold,
             _ => Finding::HoldsPartly,
         };
-        (format!("Least mean errors {} %, best t {}.", list(errors, 5), list(times, 4)), verdict)
+        let ours = format!("Least mean errors {} %, best t {}.", list(errors, 5), list(times, 4));
+        let draws = view.draws(Measure::Mean);
+        let [errors_grow, t_grows] = [
+            draws.iter().filter(|drawn| grows(&drawn.errors)).count(),
+            draws.iter().filter(|drawn| grows(&drawn.times)).count(),
+        ];
+        let n = draws.len();
+        let over =
+            || format!(" Over {n} draws of the set the error grows at each step in {errors_grow}, t in {t_grows}.");
+        (ours + &if n == 0 { String::new() } else { over() }, verdict)
     };
     claim(
         "Along the basic set the least mean error grows, but the best t does not grow with it: it falls from 4.obj to 5.obj.",
@@ -59,7 +69,7 @@ pub(super) fn sigma(view: &View) -> Judged {
             0 => Finding::DoesNotHold,
             _ => Finding::HoldsPartly,
         };
-        (sentences(&found), verdict)
+        (sentences(&found) + &Measure::ALL.map(|measure| drawn_sigma(view, measure)).concat(), verdict)
     };
     let printed = Measure::ALL.into_iter().filter_map(|measure| {
         let rows = basic_rows(measure);
@@ -72,6 +82,26 @@ pub(super) fn sigma(view: &View) -> Judged {
          that of σ; partly if it has the largest |r| for one error or cannot be told apart from others.",
         judged,
     )
+}
+
+/// How r of σ moves when the set is drawn again.
+fn drawn_sigma(view: &View, measure: Measure) -> String {
+    let draws = view.draws(measure);
+    let is_sigma = |drawn: &&&Drawn| drawn.strongest.is_some_and(|(property, _)| property == Property::Sigma);
+    let first = draws.iter().filter(is_sigma).count();
+    let r = range(draws.iter().filter_map(|drawn| drawn.sigma));
+    r.map_or(String::new(), |[low, high]| {
+        let n = draws.len();
+        format!(
+            " Over {n} draws of the set, {} error: r = {low:.2} to {high:.2}, the strongest in {first}.",
+            word(measure)
+        )
+    })
+}
+
+/// The least and the largest; `None` where there is none.
+fn range(values: impl Iterator<Item = f64> + Clone) -> Option<[f64; 2]> {
+    Some([values.clone().reduce(f64::min)?, values.reduce(f64::max)?])
 }
 
 /// How σ stands among the properties.
@@ -94,7 +124,8 @@ impl Strongest {
         let known = || table.iter().filter_map(|(property, found)| Some((*property, found.ok()?)));
         let (_, sigma) = known().find(|(property, _)| *property == Property::Sigma)?;
         let [low, high] = sigma.interval?;
-        let interval = if sigma.r < 0.0 { [-high, -low] } else { [low, high] };
+        let [low, high] = if sigma.r < 0.0 { [-high, -low] } else { [low, high] };
+        let interval = [low.max(0.0), high];
         let others = || known().filter(|(property, _)| *property != Property::Sigma);
         let size = |r: f64| r.abs();
         Some(Strongest {
@@ -140,7 +171,12 @@ pub(super) fn regression(view: &View) -> Judged {
                 true => Finding::HoldsPartly,
                 false => Finding::DoesNotHold,
             };
-            (format!("{}.", sloped(&fit)), verdict)
+            let draws = view.draws(Measure::Median);
+            let slopes = range(draws.iter().filter_map(|drawn| Some(drawn.line?.slope.value)));
+            let over = slopes.map_or(String::new(), |[low, high]| {
+                format!(" Over {} draws of the set the slope is {low:.2} to {high:.2}.", draws.len())
+            });
+            (format!("{}.{over}", sloped(&fit)), verdict)
         }
         _ => too_few("meshes in the basic set"),
     };

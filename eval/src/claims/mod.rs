@@ -11,6 +11,7 @@ mod gains;
 mod synthetic;
 
 use crate::ablation::Ablation;
+use crate::draws::Drawn;
 use crate::gain::Outcome;
 use crate::names::{self, LAPLACIANS};
 use crate::study::{LaplacianStudy, Study};
@@ -66,6 +67,8 @@ pub struct Evidence<'a> {
     pub studies: &'a [Study],
     /// The basic set, 1.obj first.
     pub basic: &'a [Study],
+    /// The basic set drawn again and again.
+    pub draws: &'a [Drawn],
     /// Models with one choice changed at a time, plain cotangents.
     pub ablations: &'a [Ablation],
 }
@@ -152,6 +155,11 @@ impl<'a> View<'a> {
 
     fn basic(&self) -> Vec<(&'a Study, &'a LaplacianStudy)> {
         with(self.evidence.basic, self.laplacian)
+    }
+
+    fn draws(&self, measure: Measure) -> Vec<&'a Drawn> {
+        let draws = self.evidence.draws.iter();
+        draws.filter(|drawn| drawn.laplacian == self.laplacian && drawn.measure == measure).collect()
     }
 }
 

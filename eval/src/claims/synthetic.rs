@@ -43,7 +43,14 @@ pub(super) fn study(name: &str) -> Study {
         search: [search; 2],
         formulas: formulas.collect(),
     };
-    Study { model: name.to_owned(), properties: properties(), reached: 10, laplacians: vec![plain], seconds: 0.0 }
+    Study {
+        model: name.to_owned(),
+        properties: properties(),
+        reached: 100,
+        sources: Vec::new(),
+        laplacians: vec![plain],
+        seconds: 0.0,
+    }
 }
 
 /// The basic set as the paper prints it; what it does not need is the same for all.

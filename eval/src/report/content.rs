@@ -32,6 +32,8 @@ pub struct Content<'a> {
     pub correlations: Vec<CorrelationTable>,
     /// Eq. 4 and what leads to it, for each error and each Laplacian.
     pub fits: Vec<FitFigure>,
+    /// The basic set drawn again.
+    pub draws: Vec<Table>,
     /// Table 5 beside ours.
     pub verification: Vec<Table>,
     /// What makes the numbers differ.

@@ -5,21 +5,26 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use taut::MeshFormat;
 
 /// Writes a file beside its place, then moves it there: whoever is interrupted leaves the old file or the new one.
+///
+/// Two that write the same file at once do so at different places, and the last one's stays.
 pub(crate) fn write(path: &Path, content: &[u8]) -> Result<()> {
+    static WRITTEN: AtomicUsize = AtomicUsize::new(0);
     let mut beside = path.as_os_str().to_owned();
-    beside.push(".part");
-    let beside = PathBuf::from(beside);
-    fs::write(&beside, content).map_err(Error::of_file(&beside))?;
-    fs::rename(&beside, path).map_err(Error::of_file(path))
+    beside.push(format!(".{}-{}.part", std::process::id(), WRITTEN.fetch_add(1, Ordering::Relaxed)));
+    let done = fs::write(&beside, content).and_then(|()| fs::rename(&beside, path));
+    done.map_err(|error| {
+        let _ = fs::remove_file(&beside); // it may not even be there; the first error is the one to tell
+        Error::of_file(path)(error)
+    })
 }
 
-/// Writes an object as JSON.
-pub(crate) fn write_json(path: &Path, object: &impl Serialize) -> Result<()> {
-    let json = serde_json::to_vec_pretty(object).map_err(|error| Error::Input(error.to_string()))?;
-    write(path, &json)
+/// An object as JSON.
+pub(crate) fn to_json(object: &impl Serialize) -> Result<Vec<u8>> {
+    serde_json::to_vec_pretty(object).map_err(|error| Error::Input(error.to_string()))
 }
 
 /// The object of a JSON file; `None` where there is no such file, or something else in it.
@@ -49,8 +54,9 @@ pub fn mesh_files(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// A name as a file may have it: letters, digits, `.`, `-` and `_` stay.
+/// The begin of a name as a file may have it anywhere: ASCII letters, digits, `.`, `-` and `_` stay. Names that differ may
+/// become the same.
 pub(crate) fn safe(name: &str) -> String {
-    let is_safe = |c: char| c.is_alphanumeric() || "-_.".contains(c);
-    name.chars().map(|c| if is_safe(c) { c } else { '_' }).collect()
+    let is_safe = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
+    name.chars().take(60).map(|c| if is_safe(c) { c } else { '_' }).collect()
 }

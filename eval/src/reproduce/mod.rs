@@ -1,7 +1,10 @@
 //! The paper's evaluation on all meshes of a folder: one report, and what it was made from.
 //!
-//! Each model's results are a file of their own in the folder `work` of the output, named by what they depend on; so
-//! work that was interrupted goes on where it was, and meshes that are added cost only themselves.
+//! Each model's results are a file of their own in the folder `work` of the output, named by what they depend on: mesh,
+//! source, name, options and version. So work that was interrupted goes on where it was, meshes that are added cost only
+//! themselves, and a file that does not fit, or was cut short, is as none. Files that nothing asks for any more stay.
+//!
+//! Each file is written whole or not at all; so two that work in one folder at once do all of it twice, but break nothing.
 
 mod content;
 mod files;
@@ -10,6 +13,7 @@ mod plan;
 
 use crate::ablation::{Ablation, ablation};
 use crate::accuracy::percents;
+use crate::draws::{self, Drawn};
 use crate::error::{Error, Result};
 use crate::gain::{Bootstrap, FormulaGain, Sources};
 use crate::model::Model;
@@ -20,13 +24,14 @@ use crate::study::Study;
 use crate::sweep::Measure;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 pub use files::mesh_files;
-use files::{folder, read_json, safe, write_json};
-use plan::{Job, Plan, side_by_side};
+use files::{folder, read_json, safe, to_json, write};
+use plan::{Job, Plan, hex, side_by_side};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::cell::Cell;
 use std::path::{Path, PathBuf};
-use taut::{Control, Laplacian, Mesh, TimeFormula, TimeScale};
+use std::time::Instant;
+use taut::{Control, Laplacian, Mesh, Reason, TimeFormula, TimeScale};
 
 /// How an evaluation is done.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -43,13 +48,14 @@ pub type Draw<'a> = dyn Fn(&Mesh, u32, &[f64], &[Vec<f64>]) -> std::result::Resu
 
 /// Is told how the work goes, by several threads.
 pub trait Observer: Sync {
-    /// So many models are to be studied; of so many the results are there already.
+    /// There are so many models; of so many the results are there already, and nothing is told of these any more but their
+    /// share in all.
     fn planned(&self, models: usize, done_before: usize);
     /// A model is begun.
     fn begun(&self, model: &str);
-    /// This share of all work is done.
+    /// This share of all work is done, in addition; they sum up to 1, but where the work is cancelled.
     fn advanced(&self, share: f64);
-    /// A model is done; `failure` is what it failed with.
+    /// A model is done; `failure` is what it failed with. Not told where the work is cancelled.
     fn finished(&self, model: &str, failure: Option<&str>);
 }
 
@@ -108,67 +114,116 @@ pub struct Summary {
 
 /// Studies all meshes of a folder and writes `report.html`, `data.json`, tables as CSV and the meshes of the basic set.
 ///
+/// The same meshes, options and version give the same files, but for the seconds in them: whatever the number of threads,
+/// and however often the work was interrupted.
+///
 /// # Errors
 /// [`Error::File`] where a folder cannot be read or a file not be written; [`Error::Input`] where there is no mesh at all;
-/// [`Error::Model`] if the work is cancelled: what is finished by then is kept, and the next call goes on from there. A
-/// model that fails is no failure of the whole; the report tells it.
+/// [`Error::Model`] if the work is cancelled or its time is over. What is finished by then is kept, and the next call goes
+/// on from there. A model that fails is no failure of the whole; the report tells it.
 pub fn reproduce(work: &Reproduction) -> Result<Summary> {
     folder(&work.out.join(WORK))?;
-    let plan = Plan::of(work.meshes, work.options.basic_seed, work.threads)?;
-    let before = plan.jobs.iter().filter(|job| work.file(job).is_file()).count();
-    work.observer.planned(plan.jobs.len(), before);
-    let total: usize = plan.jobs.iter().map(|job| job.vertices).sum();
-    let results = side_by_side(&plan.jobs, work.threads, |job| {
-        work.observer.begun(&job.name);
-        let result = work.finish(job, job.vertices as f64 / total.max(1) as f64);
-        let failure = result.as_ref().err().map(ToString::to_string);
-        work.observer.finished(&job.name, failure.as_deref());
-        result
-    });
-    let mut finished = Vec::new();
-    let mut failed = plan.failed;
-    for (job, result) in plan.jobs.iter().zip(results) {
+    let Plan { jobs, mut failed } = Plan::of(work.meshes, work.options.basic_seed, work.threads, work.control)?;
+    let first = jobs.iter().find(|job| job.basic == Some(1));
+    let drawn = first.map_or(0, |first| DRAWS * first.vertices);
+    let total = (jobs.iter().map(|job| job.vertices).sum::<usize>() + drawn).max(1) as f64;
+    let share = |job: &Job| job.vertices as f64 / total;
+
+    let kept: Vec<Option<Finished>> = jobs.iter().map(|job| work.kept(job)).collect();
+    let (before, left): (Vec<_>, Vec<_>) = jobs.iter().zip(&kept).partition(|(_, kept)| kept.is_some());
+    work.observer.planned(jobs.len(), before.len());
+    work.observer.advanced(before.iter().map(|(job, _)| share(job)).sum());
+
+    let results = side_by_side(&left, work.threads, |&(job, _)| {
+        let progress = Progress { observer: work.observer, share: share(job), told: Cell::new(0.0) };
+        work.finish(job, &progress)
+    })?;
+    let mut finished: Vec<Finished> = kept.iter().flatten().cloned().collect();
+    for (&(job, _), result) in left.iter().zip(results) {
         match result {
             Ok(model) => finished.push(model),
-            Err(error) if error.is_cancelled() || matches!(error, Error::File { .. }) => return Err(error),
-            Err(error) => failed.push((job.name.clone(), error.to_string())),
+            Err(reason) => failed.push((job.name.clone(), reason)),
         }
     }
     finished.sort_by(|a, b| a.study.model.cmp(&b.study.model));
-    output::write_all(work, &plan.jobs, &finished, failed)
+    let draws = match first {
+        Some(first) => work.draws(first, &finished, drawn as f64 / total)?,
+        None => Vec::new(),
+    };
+    output::write_all(work, &jobs, &finished, &draws, failed)
 }
+
+/// How often the basic set is drawn again.
+const DRAWS: usize = 9;
 
 const WORK: &str = "work";
 
+/// How far one model is.
+struct Progress<'a> {
+    observer: &'a dyn Observer,
+    /// What it is of all the work.
+    share: f64,
+    /// How much of it was told, from 0 to 1.
+    told: Cell<f64>,
+}
+
+impl Progress<'_> {
+    fn at(&self, done: f64) {
+        self.observer.advanced(self.share * (done - self.told.replace(done)));
+    }
+}
+
+/// Whether an error is the end of all work, and not only of a model.
+fn ends_all(error: &Error) -> bool {
+    match error {
+        Error::File { .. } => true,
+        Error::Model { error, .. } => matches!(error.reason(), Reason::Cancelled | Reason::TimeLimit),
+        Error::Input(_) => false,
+    }
+}
+
 impl Reproduction<'_> {
-    /// Where a model's results are kept.
-    fn file(&self, job: &Job) -> PathBuf {
-        self.out.join(WORK).join(safe(&job.name) + ".json")
+    /// What a model's results depend on: the mesh, its source and name, the options and this program's version.
+    fn key(&self, job: &Job) -> String {
+        let Job { name, basic, fingerprint, .. } = job;
+        hex(&Sha256::digest(format!("{} {:?} {basic:?} {fingerprint} {name}", env!("CARGO_PKG_VERSION"), self.options)))
     }
 
-    /// The results of one model, which is `share` of all the work: those that are kept, or new ones.
-    fn finish(&self, job: &Job, share: f64) -> Result<Finished> {
+    /// Where a model's results are kept.
+    fn file(&self, job: &Job) -> PathBuf {
+        self.out.join(WORK).join(format!("{}-{:.16}.json", safe(&job.name), self.key(job)))
+    }
+
+    /// The results of one model, if they are there.
+    fn kept(&self, job: &Job) -> Option<Finished> {
+        read_json::<Finished>(&self.file(job)).filter(|kept| kept.key == self.key(job))
+    }
+
+    /// The results of one model, or why there are none, told to the observer.
+    ///
+    /// # Errors
+    /// What ends all work.
+    fn finish(&self, job: &Job, progress: &Progress) -> Result<std::result::Result<Finished, String>> {
+        self.observer.begun(&job.name);
+        let result = match self.study(job, progress).and_then(|finished| self.keep(job, finished)) {
+            Err(error) if ends_all(&error) => return Err(error),
+            result => result.map_err(|error| error.to_string()),
+        };
+        progress.at(1.0);
+        self.observer.finished(&job.name, result.as_ref().err().map(String::as_str));
+        Ok(result)
+    }
+
+    fn study(&self, job: &Job, progress: &Progress) -> Result<Finished> {
+        let start = Instant::now();
         let model = job.model()?;
-        let key = self.key(&model)?;
-        let file = self.file(job);
-        if let Some(kept) = read_json::<Finished>(&file).filter(|kept| kept.key == key) {
-            self.observer.advanced(share);
-            return Ok(kept);
-        }
         let exact = probe::exact(&model, model.source, self.control)?;
         let sources = Sources::new(&model, &exact, &self.options.bootstrap, self.control)?;
-        self.observer.advanced(0.2 * share);
-        let told = Cell::new(0.0);
-        let study = Study::new(
-            &model,
-            &exact,
-            &LAPLACIANS.map(|(_, laplacian)| laplacian),
-            Some((&sources, &self.options.bootstrap)),
-            self.control,
-            &|done| {
-                self.observer.advanced(0.7 * share * (done - told.replace(done)));
-            },
-        )?;
+        progress.at(0.2);
+        let laplacians = LAPLACIANS.map(|(_, laplacian)| laplacian);
+        let gains = Some((&sources, &self.options.bootstrap));
+        let done = |done| progress.at(0.2 + 0.7 * done);
+        let mut study = Study::new(&model, &exact, &laplacians, gains, self.control, &done)?;
         let is_named = job.basic.is_some() || paper::table5(&job.name).is_some();
         let is_papers = job.basic.is_some() || is_own_tessellation(&study);
         let ablation = match study.with(Laplacian::Plain).filter(|_| is_named) {
@@ -178,20 +233,47 @@ impl Reproduction<'_> {
             None => None,
         };
         let maps = self.maps(&model, &exact, &study, is_papers)?;
-        let finished = Finished { key, basic: job.basic, study, ablation, maps };
-        write_json(&file, &finished)?;
-        self.observer.advanced(0.1 * share);
-        Ok(finished)
+        study.seconds = start.elapsed().as_secs_f64();
+        Ok(Finished { key: self.key(job), basic: job.basic, study, ablation, maps })
     }
 
-    /// What a model's results depend on: the mesh, its source, the options and this program's version.
-    fn key(&self, model: &Model) -> Result<String> {
-        let options = serde_json::to_string(&self.options).map_err(|error| Error::Input(error.to_string()))?;
-        let mut hash = Sha256::new();
-        hash.update(format!("{} {} {} {options}", env!("CARGO_PKG_VERSION"), model.name, model.source));
-        model.mesh.positions().iter().flatten().for_each(|x| hash.update(x.to_bits().to_le_bytes()));
-        model.mesh.triangles().iter().flatten().for_each(|v| hash.update(v.to_le_bytes()));
-        Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
+    /// Writes a model's results, if they can be read back: JSON has no infinite numbers.
+    fn keep(&self, job: &Job, finished: Finished) -> Result<Finished> {
+        let json = to_json(&finished)?;
+        match serde_json::from_slice::<Finished>(&json) {
+            Ok(back) if back == finished => write(&self.file(job), &json).map(|()| finished),
+            _ => Err(Error::Input(format!("{}: some of its results are not finite", job.name))),
+        }
+    }
+
+    /// The basic set of `first` with other random numbers, all together `share` of the work; beside the set of the seed itself.
+    fn draws(&self, first: &Job, finished: &[Finished], share: f64) -> Result<Vec<Drawn>> {
+        let mut basic: Vec<&Finished> = finished.iter().filter(|of| of.basic.is_some()).collect();
+        basic.sort_by_key(|of| of.basic);
+        let Some(best) = basic.first().filter(|of| of.basic == Some(1)) else { return Ok(Vec::new()) };
+        let (model, seed) = (first.model()?, self.options.basic_seed);
+        let seeds: Vec<u64> = (1..=DRAWS as u64).map(|k| seed.wrapping_add(k)).collect();
+        let others = side_by_side(&seeds, self.threads, |&seed| {
+            let drawn = self.drawn(first, &model, &best.study, seed)?;
+            self.observer.advanced(share / DRAWS as f64);
+            Ok(drawn)
+        })?;
+        let studies: Vec<Study> = basic.iter().map(|of| of.study.clone()).collect();
+        Ok(draws::judge(&studies, seed).into_iter().chain(others.into_iter().flatten()).collect())
+    }
+
+    /// One of them: what is kept, or made anew.
+    fn drawn(&self, first: &Job, model: &Model, best: &Study, seed: u64) -> Result<Vec<Drawn>> {
+        let file = self.out.join(WORK).join(format!("draw-{seed}-{:.16}.json", self.key(first)));
+        if let Some(kept) = read_json(&file) {
+            return Ok(kept);
+        }
+        let name = format!("basic set, seed {seed}");
+        self.observer.begun(&name);
+        let drawn = draws::draw(model, best, seed, self.control)?;
+        write(&file, &to_json(&drawn)?)?;
+        self.observer.finished(&name, None);
+        Ok(drawn)
     }
 
     /// Pictures of the errors by Eq. 1 with each Laplacian; of the paper's own models by Eq. 3 too.
@@ -205,6 +287,9 @@ impl Reproduction<'_> {
                 errors.push(percents(&probe.distances(outcome.t)?, exact));
                 shown.push((of.laplacian, gain.formula, outcome.mean));
             }
+        }
+        if errors.is_empty() {
+            return Ok(Vec::new());
         }
         let draw = (self.draw)(&model.mesh, model.source, exact, &errors);
         let drawn = draw.map_err(|error| Error::Input(format!("{}: {error}", model.name)))?;

@@ -1,10 +1,11 @@
 //! What is written when all models are studied: the report, the data, tables, and the meshes of the basic set.
 
 use super::content::Parts;
-use super::files::{folder, write, write_json};
+use super::files::{folder, to_json, write};
 use super::plan::{Job, Origin};
 use super::{Finished, Reproduction, Summary};
 use crate::claims::Claim;
+use crate::draws::Drawn;
 use crate::error::{Error, Result};
 use crate::report;
 use crate::study::Study;
@@ -20,6 +21,7 @@ struct Data<'a> {
     /// The names of the basic set's models, 1.obj first.
     basic: Vec<&'a str>,
     ablations: Vec<&'a crate::ablation::Ablation>,
+    draws: &'a [Drawn],
     claims: &'a [Claim],
     failed: &'a [(String, String)],
 }
@@ -29,6 +31,7 @@ pub(super) fn write_all(
     work: &Reproduction,
     jobs: &[Job],
     finished: &[Finished],
+    draws: &[Drawn],
     failed: Vec<(String, String)>,
 ) -> Result<Summary> {
     write_basic_set(work.out, jobs)?;
@@ -36,7 +39,7 @@ pub(super) fn write_all(
     let mut numbered: Vec<(usize, &Study)> = finished.iter().filter_map(|of| Some((of.basic?, &of.study))).collect();
     numbered.sort_by_key(|&(number, _)| number);
     let basic: Vec<Study> = numbered.into_iter().map(|(_, study)| study.clone()).collect();
-    let parts = Parts { finished, models: &models, basic: &basic };
+    let parts = Parts { finished, models: &models, basic: &basic, draws };
     let claims = parts.claims();
     let content = parts.content(work, &claims, &failed);
 
@@ -48,10 +51,11 @@ pub(super) fn write_all(
         models: &models,
         basic: basic.iter().map(|study| study.model.as_str()).collect(),
         ablations: finished.iter().filter_map(|of| of.ablation.as_ref()).collect(),
+        draws,
         claims: &claims,
         failed: &failed,
     };
-    write_json(&work.out.join("data.json"), &data)?;
+    write(&work.out.join("data.json"), &to_json(&data)?)?;
     write_tables(work.out, &models)?;
     Ok(Summary { report, models: models.len(), failed })
 }

@@ -114,7 +114,14 @@ pub(crate) fn study(name: &str, seed: u64) -> Study {
         let search = Measure::ALL.map(|measure| Best { probes: 51, ..sweep.best(measure) });
         LaplacianStudy { laplacian, sweep, search, formulas }
     });
-    Study { model: name.to_owned(), properties, reached: 1000, laplacians: laplacians.to_vec(), seconds: 12.5 }
+    Study {
+        model: name.to_owned(),
+        properties,
+        reached: 1000,
+        sources: vec![0, 7],
+        laplacians: laplacians.to_vec(),
+        seconds: 12.5,
+    }
 }
 
 pub(crate) const MODELS: [&str; 70] = [
@@ -332,6 +339,7 @@ pub(crate) fn content<'a>(basic: &'a [Study], models: &'a [Study], claims: &'a [
         best: beside(),
         correlations: correlations(),
         fits: fits(),
+        draws: vec![table("Drawn again")],
         verification: beside(),
         why: vec![table("The steps of the paper's tool, one by one")],
         pictures: LAPLACIANS

@@ -1,6 +1,6 @@
 //! What the best t goes with over the basic set, and the line to Eq. 4.
 
-use super::nothing;
+use super::{nothing, tables};
 use crate::report::colours::{self, INK, SOFT};
 use crate::report::content::{Cell, Content, Table, Tone};
 use crate::report::numbers::fixed;
@@ -27,6 +27,7 @@ pub(in crate::report) fn correlation(content: &Content) -> Markup {
             @let fits: Vec<String> = content.fits.iter().filter(|fit| fit.measure == measure).map(plots::fit).collect();
             @if !fits.is_empty() { (fit_of(measure, &fits)) }
         }
+        (tables(&content.draws))
     }
 }
 
