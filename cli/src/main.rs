@@ -54,7 +54,8 @@ impl Command {
         match self {
             Command::Compare(_) => Ok(()),
             Command::Distance(args) => args.check(),
-            Command::Evaluate(_) | Command::Info(_) => Ok(()),
+            Command::Evaluate(args) => args.check(),
+            Command::Info(_) => Ok(()),
             Command::Isolines(args) => args.check(),
             Command::Path(args) => args.check(),
             Command::Sample(args) => args.check(),

@@ -2,6 +2,8 @@
 
 use crate::error::{Error, Result};
 use crate::paper;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use taut::Mesh;
 
@@ -17,13 +19,14 @@ pub struct Model {
 }
 
 impl Model {
-    /// The mesh of a file, with `source` or else the [default source](Model::default_source).
+    /// The mesh of a file, with `source`, or else the one that [`Model::obj`] wrote into it, or else the
+    /// [default source](Model::default_source).
     ///
     /// # Errors
-    /// [`Error::Model`] if the mesh cannot be read or has no triangle, or if it does not have the source.
+    /// [`Error::Model`] if the mesh cannot be read; [`Error::Input`] if it has no triangle, or does not have the source.
     pub fn read(path: &Path, source: Option<u32>) -> Result<Model> {
         let mesh = Mesh::read(path).map_err(Error::of_model(&path.display().to_string()))?;
-        Model::new(name(path), mesh, source)
+        Model::new(name(path), mesh, source.or_else(|| written_source(path)))
     }
 
     /// A mesh with `source` or else the [default source](Model::default_source).
@@ -42,12 +45,14 @@ impl Model {
         }
     }
 
-    /// Its mesh as an OBJ file; coordinates are the shortest decimals that read back to the same numbers.
+    /// Its mesh as an OBJ file; coordinates are the shortest decimals that read back to the same numbers. Its first line is
+    /// a comment that tells the source, so that [`Model::read`] gives the same model.
     #[must_use]
     pub fn obj(&self) -> String {
+        let head = std::iter::once(format!("{SOURCE}{}\n", self.source));
         let vertices = self.mesh.positions().iter().map(|[x, y, z]| format!("v {x} {y} {z}\n"));
         let faces = self.mesh.triangles().iter().map(|t| t.map(|v| (u64::from(v) + 1).to_string()));
-        vertices.chain(faces.map(|[a, b, c]| format!("f {a} {b} {c}\n"))).collect()
+        head.chain(vertices).chain(faces.map(|[a, b, c]| format!("f {a} {b} {c}\n"))).collect()
     }
 
     /// Where the paper measures from: on the first mesh of its basic set the vertex of its Table 1, else the first vertex,
@@ -61,6 +66,17 @@ impl Model {
         let used = (0..).zip(mesh.triangles()).filter(|&(f, _)| ignored.next_if_eq(&f).is_none());
         used.flat_map(|(_, triangle)| *triangle).min()
     }
+}
+
+/// What stands before the source in the first line of an OBJ file of ours.
+const SOURCE: &str = "# taut source ";
+
+/// The source in the first line of a file; `None` where it tells none.
+fn written_source(path: &Path) -> Option<u32> {
+    let mut line = String::new();
+    let longest = SOURCE.len() as u64 + 12; // ten digits and the end of the line
+    BufReader::new(File::open(path).ok()?.take(longest)).read_line(&mut line).ok()?;
+    line.strip_prefix(SOURCE)?.trim_end().parse().ok()
 }
 
 /// The name of a file without `.gz` and without what stands behind its last dot.

@@ -18,6 +18,11 @@ pub const LAPLACIANS: [(&str, Laplacian); 2] = [("plain", Laplacian::Plain), ("i
 /// The units a formula is evaluated in.
 pub const SCALES: [(&str, TimeScale); 2] = [("paper", TimeScale::Paper), ("raw", TimeScale::Raw)];
 
+/// What a choice is called on the command line and in files.
+pub(crate) fn name<T: PartialEq>(names: &[(&'static str, T)], choice: T) -> &'static str {
+    names.iter().find(|(_, known)| *known == choice).map_or("", |(name, _)| name)
+}
+
 /// What a formula is called in tables: `Eq. 1` to `Eq. 5`.
 #[must_use]
 pub fn equation(formula: TimeFormula) -> &'static str {
@@ -37,8 +42,7 @@ macro_rules! by_name {
             use super::*;
 
             pub(crate) fn serialize<S: Serializer>(value: &$type, serializer: S) -> Result<S::Ok, S::Error> {
-                let name = $names.iter().find(|(_, choice)| choice == value).map_or("", |(name, _)| name);
-                serializer.serialize_str(name)
+                serializer.serialize_str(name(&$names, *value))
             }
 
             pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<$type, D::Error> {

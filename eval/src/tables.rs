@@ -3,33 +3,49 @@
 use crate::correlate::{Correlation, Undefined, correlations};
 use crate::fit::Fit;
 use crate::gain::{Counts, FormulaGain, Interval, Outcome, Ratios, Verdict};
-use crate::names::{self, FORMULAS, LAPLACIANS, SCALES, equation};
+use crate::names::{self, FORMULAS, LAPLACIANS, SCALES, equation, name};
 use crate::paper::{BASIC, HEADLINES, TABLES};
 use crate::properties::{ModelProperties, Property};
-use crate::report::numbers::{fixed, gain, significant};
-use crate::report::{Cell, Table, Tone};
-use crate::study::{LaplacianStudy, Study};
+use crate::report::numbers::{digits, fixed, gain, significant};
+use crate::report::{Cell, Table};
+use crate::study::Study;
 use crate::sweep::{Best, Measure};
 use serde::Serialize;
 use taut::{Laplacian, TimeFormula, TimeScale};
 
+/// How many digits properties are printed with.
+const DIGITS: usize = 6;
+
 /// The properties of one model, at the paper's size and in the units of the mesh.
 #[must_use]
 pub fn properties(model: &str, of: &ModelProperties) -> Table {
-    let row = |symbol: &str, name: &str, value: f64, power: i32| -> Vec<Cell> {
-        let in_mesh = significant(value / of.scale.powi(power));
-        vec![name.into(), symbol.into(), significant(value).into(), in_mesh.into()]
+    let row = |name: &str, symbol: &str, cells: [String; 2]| -> Vec<Cell> {
+        [name.to_owned(), symbol.to_owned()].into_iter().chain(cells).map(Cell::from).collect()
     };
-    let mut rows: Vec<Vec<Cell>> =
-        Property::ALL.iter().map(|&p| row(p.symbol(), p.name(), of.value(p), p.power())).collect();
-    rows.push(row("", "median absolute deviation of the edges", of.median_absolute_deviation, 1));
-    rows.push(row("s", "from mesh units to the paper's size", of.scale, 1));
+    let in_mesh = |value: f64, power: i32| digits(value / of.scale.powi(power), DIGITS);
+    let mut rows: Vec<Vec<Cell>> = Vec::new();
+    for property in Property::ALL {
+        let value = of.value(property);
+        let cells = match is_count(property) {
+            true => [fixed(value, 0), fixed(value, 0)],
+            false => [digits(value, DIGITS), in_mesh(value, property.power())],
+        };
+        rows.push(row(property.name(), property.symbol(), cells));
+    }
+    let deviation = of.median_absolute_deviation;
+    let cells = [digits(deviation, DIGITS), in_mesh(deviation, 1)];
+    rows.push(row("median absolute deviation of the edges", "", cells));
+    rows.push(row("from mesh units to the paper's size", "s", [digits(of.scale, DIGITS), String::new()]));
     Table {
         title: model.to_owned(),
         head: ["property", "", "at the paper's size", "in mesh units"].map(str::to_owned).into(),
         rows,
         ..Table::default()
     }
+}
+
+fn is_count(property: Property) -> bool {
+    matches!(property, Property::Vertices | Property::Edges | Property::Faces | Property::Source)
 }
 
 /// Each model's best t with each Laplacian, by the sweep or by the search.
@@ -61,7 +77,7 @@ fn best_row(study: &Study, laplacian: Laplacian, measure: Measure, found: Best) 
     let mark = if found.at_end { "*" } else { "" };
     vec![
         study.model.as_str().into(),
-        laplacian_name(laplacian).into(),
+        name(&LAPLACIANS, laplacian).into(),
         measure.name().into(),
         fixed(found.error, 5).into(),
         (significant(found.t) + mark).into(),
@@ -99,14 +115,15 @@ pub fn correlate(studies: &[Study]) -> Vec<Correlated> {
 /// The same as a table.
 #[must_use]
 pub fn correlated(of: &Correlated) -> Table {
-    let rows = of.properties.iter().map(|(property, r)| {
-        [vec![property.name().into(), property.symbol().into()], correlation_cells(r).to_vec()].concat()
-    });
+    let rows = of
+        .properties
+        .iter()
+        .map(|(property, r)| [vec![property.name().into(), property.symbol().into()], correlation_cells(r)].concat());
     Table {
         title: format!(
             "r with the best t for the {} error, {} Laplacian, {} models",
             of.measure.name(),
-            laplacian_name(of.laplacian),
+            name(&LAPLACIANS, of.laplacian),
             of.models
         ),
         head: ["property", "", "r", "95 %"].map(str::to_owned).into(),
@@ -115,13 +132,13 @@ pub fn correlated(of: &Correlated) -> Table {
     }
 }
 
-fn correlation_cells(of: &Result<Correlation, Undefined>) -> [Cell; 2] {
+fn correlation_cells(of: &Result<Correlation, Undefined>) -> Vec<Cell> {
     match of {
         Ok(of) => {
             let interval = of.interval.map(|[low, high]| format!("{} … {}", fixed(low, 3), fixed(high, 3)));
-            [fixed(of.r, 4).into(), interval.unwrap_or("–".to_owned()).into()]
+            vec![fixed(of.r, 4).into(), interval.unwrap_or("–".to_owned()).into()]
         }
-        Err(reason) => [reason.to_string().into(), Cell::default()],
+        Err(reason) => vec![reason.to_string().into()],
     }
 }
 
@@ -170,7 +187,8 @@ pub fn fit(studies: &[Study]) -> Vec<Fitted> {
 pub fn fitted(fits: &[Fitted]) -> Table {
     let rows = fits.iter().flat_map(|of| {
         [("t over σ", of.over_sigma), ("t/ē² over σ/ē", of.invariant)].map(|(line, fit)| {
-            [vec![laplacian_name(of.laplacian).into(), of.measure.name().into(), line.into()], fit_cells(fit)].concat()
+            let first = [name(&LAPLACIANS, of.laplacian), of.measure.name(), line].map(Cell::from);
+            [first.to_vec(), fit_cells(fit)].concat()
         })
     });
     let head = ["Laplacian", "error", "line", "slope", "95 %", "constant", "95 %", "R²"];
@@ -193,97 +211,101 @@ fn fit_cells(fit: Result<Fit, Undefined>) -> Vec<Cell> {
             interval(fit.intercept.interval),
             fixed(fit.r_squared, 4).into(),
         ],
-        Err(reason) => std::iter::once(reason.to_string().into()).chain(vec![Cell::default(); 4]).collect(),
+        Err(reason) => vec![reason.to_string().into()],
     }
 }
 
-/// What each formula gains over Eq. 1 on each model.
+/// What each formula gains over Eq. 1 on each model: a table for each Laplacian and each error.
 #[must_use]
-pub fn gains(studies: &[Study]) -> Table {
-    let head = [
-        "model",
-        "Laplacian",
-        "formula",
-        "units",
-        "t",
-        "t/ē²",
-        "mean %",
-        "gain",
-        "over vertices",
-        "over sources",
-        "median %",
-        "gain",
-        "over vertices",
-        "over sources",
-    ];
-    let mut rows = Vec::new();
-    for study in studies {
-        for of in &study.laplacians {
-            rows.extend(of.formulas.iter().map(|gain| gain_row(study, of, gain)));
-        }
+pub fn gains(studies: &[Study]) -> Vec<Table> {
+    let head = ["model", "formula", "units", "t", "t/ē²", "error %", "gain", "over vertices", "over sources"];
+    let mut tables = Vec::new();
+    for (laplacian, measure) in each(studies) {
+        let gains = |study: &Study| study.with(laplacian).map_or(Vec::new(), |of| of.formulas.clone());
+        let rows = studies
+            .iter()
+            .flat_map(|study| gains(study).into_iter().map(|gain| gain_row(study, measure, &gain)).collect::<Vec<_>>());
+        tables.push(Table {
+            title: format!("{} error, {} Laplacian", capitalised(measure.name()), name(&LAPLACIANS, laplacian)),
+            note: String::new(),
+            head: head.map(str::to_owned).into(),
+            rows: rows.collect(),
+            ..Table::default()
+        });
     }
-    Table {
-        title: "Gain of each formula over Eq. 1".to_owned(),
-        note: "1 - (error with the formula) / (error with Eq. 1), its 95 % interval by the bootstrap over vertices and over sources, and what it says: + better, - worse, ? unsure".to_owned(),
-        head: head.map(str::to_owned).into(),
-        rows,
-        ..Table::default()
+    if let [first, ..] = &mut tables[..] {
+        "Gain: 1 - (error with the formula) / (error with Eq. 1); its 95 % intervals by the bootstrap, over\n\
+         vertices and over sources, and what they say: + better, − worse, ? unsure"
+            .clone_into(&mut first.note);
     }
+    tables
 }
 
-fn gain_row(study: &Study, of: &LaplacianStudy, gain: &FormulaGain) -> Vec<Cell> {
-    let scale = SCALES.iter().find(|(_, scale)| *scale == gain.scale).map_or("", |(name, _)| name);
-    let head = [study.model.as_str(), laplacian_name(of.laplacian), equation(gain.formula), scale].map(Cell::from);
+fn gain_row(study: &Study, measure: Measure, gain: &FormulaGain) -> Vec<Cell> {
+    let head = [study.model.as_str(), equation(gain.formula), name(&SCALES, gain.scale)].map(Cell::from);
     let tail = match &gain.outcome {
-        Ok(outcome) => outcome_cells(study, outcome),
-        Err(reason) => std::iter::once(reason.as_str().into()).chain(vec![Cell::default(); 9]).collect(),
+        Ok(outcome) => outcome_cells(study, measure, gain.formula, outcome),
+        Err(reason) => vec![reason.as_str().into()],
     };
     [head.to_vec(), tail].concat()
 }
 
-fn outcome_cells(study: &Study, outcome: &Outcome) -> Vec<Cell> {
+fn outcome_cells(study: &Study, measure: Measure, formula: TimeFormula, outcome: &Outcome) -> Vec<Cell> {
     let shares = outcome.t / (study.properties.mean_edge * study.properties.mean_edge);
-    let mut cells: Vec<Cell> = vec![significant(outcome.t).into(), significant(shares).into()];
-    for (measure, error) in Measure::ALL.into_iter().zip([outcome.mean, outcome.median]) {
-        let ratio = outcome.over_vertices.of(measure).ratio;
-        cells.extend([fixed(error, 3), gain(ratio)].map(Cell::from));
-        cells.extend(
-            [Some(&outcome.over_vertices), outcome.over_sources.as_ref()].map(|ratios| interval_cell(ratios, measure)),
-        );
-    }
-    cells
+    let error = match measure {
+        Measure::Mean => outcome.mean,
+        Measure::Median => outcome.median,
+    };
+    let first = [significant(outcome.t), significant(shares), fixed(error, 3)].map(Cell::from).to_vec();
+    let gains = match formula {
+        TimeFormula::MeanEdge => vec![Cell::default(); 3], // which the others are compared to
+        _ => {
+            let over = [Some(&outcome.over_vertices), outcome.over_sources.as_ref()];
+            let intervals = over.map(|ratios| interval_cell(ratios, measure));
+            [vec![gain(outcome.over_vertices.of(measure).ratio).into()], intervals.to_vec()].concat()
+        }
+    };
+    [first, gains].concat()
 }
 
 fn interval_cell(ratios: Option<&Ratios>, measure: Measure) -> Cell {
     let Some(ratios) = ratios else { return Cell::default() };
     let of @ Interval { low, high, .. } = ratios.of(measure);
-    let (sign, tone) = match of.verdict() {
-        Verdict::Better => ("+", Tone::Good),
-        Verdict::Worse => ("−", Tone::Bad),
-        Verdict::Unsure => ("?", Tone::Plain),
+    let sign = match of.verdict() {
+        Verdict::Better => "+",
+        Verdict::Worse => "−",
+        Verdict::Unsure => "?",
     };
-    Cell::new(format!("{} … {} {sign}", gain(high), gain(low)), tone)
+    format!("{} … {} {sign}", gain(high), gain(low)).into()
 }
 
-fn laplacian_name(laplacian: Laplacian) -> &'static str {
-    LAPLACIANS.iter().find(|(_, known)| *known == laplacian).map_or("", |(name, _)| name)
+fn capitalised(word: &str) -> String {
+    let mut letters = word.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
-/// The basic set: a row for each property with its values from 1.obj to 5.obj, and the paper's.
+/// The basic set: a row for each property with its values from 1.obj to 5.obj, beside the paper's if it is the paper's.
 #[must_use]
-pub fn basic_set(set: &[ModelProperties]) -> Vec<Table> {
+pub fn basic_set(set: &[ModelProperties], is_papers: bool) -> Vec<Table> {
+    let shown = |of: &ModelProperties, property| match is_papers {
+        true => fixed(of.value(property), BASIC[0].printed(property).decimals()),
+        false if is_count(property) => fixed(of.value(property), 0),
+        false => digits(of.value(property), DIGITS),
+    };
     let row = |&property: &Property| -> Vec<Cell> {
-        let ours = set.iter().map(|of| significant(of.value(property)).into());
-        let paper = BASIC.iter().map(|mesh| Cell::new(mesh.printed(property).to_string(), Tone::Pale));
-        [property.symbol().into()].into_iter().chain(ours).chain(paper).collect()
+        let ours = set.iter().map(|of| shown(of, property));
+        let paper = BASIC.iter().filter(|_| is_papers).map(|mesh| mesh.printed(property).to_string());
+        [property.symbol().to_owned()].into_iter().chain(ours).chain(paper).map(Cell::from).collect()
     };
     let table = |(number, properties): (usize, &&[Property])| {
         let names = || BASIC.iter().map(|mesh| mesh.name);
+        let groups = [("", 1), ("ours", 5), ("paper", 5)].map(|(name, count)| (name.to_owned(), count));
+        let paper = names().filter(|_| is_papers);
         Table {
             title: format!("Table {number}"),
             note: String::new(),
-            groups: [("", 1), ("ours", 5), ("paper", 5)].map(|(name, count)| (name.to_owned(), count)).into(),
-            head: [""].into_iter().chain(names()).chain(names()).map(str::to_owned).collect(),
+            groups: if is_papers { groups.into() } else { Vec::new() },
+            head: [""].into_iter().chain(names()).chain(paper).map(str::to_owned).collect(),
             rows: properties.iter().map(row).collect(),
         }
     };
@@ -301,7 +323,7 @@ pub fn headline(studies: &[Study]) -> Table {
             let over_vertices = tally(outcomes().map(|of| of.over_vertices.of(measure)));
             let over_sources = tally(outcomes().filter_map(|of| Some(of.over_sources?.of(measure))));
             let paper = printed.map_or("–".to_owned(), |figure| figure.counts.to_string());
-            let first = [laplacian_name(laplacian), equation(formula), measure.name()].map(Cell::from);
+            let first = [name(&LAPLACIANS, laplacian), equation(formula), measure.name()].map(Cell::from);
             rows.push([first.to_vec(), [over_vertices, over_sources, paper].map(Cell::from).to_vec()].concat());
         }
     }

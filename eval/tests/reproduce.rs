@@ -246,16 +246,19 @@ fn another_mesh_or_other_options_are_other_results() {
     assert!(folders.run().1.begun.is_empty(), "the former results are there still");
     assert_eq!(written(&folders.out()), expected);
 
-    for options in [
-        Options { basic_seed: 2, ..OPTIONS },
-        Options { bootstrap: Bootstrap { seed: 2, ..OPTIONS.bootstrap }, ..OPTIONS },
-        Options { bootstrap: Bootstrap { sources: 3, ..OPTIONS.bootstrap }, ..OPTIONS },
-        Options { bootstrap: Bootstrap { resamples: 21, ..OPTIONS.bootstrap }, ..OPTIONS },
-    ] {
+    let other = |options| {
         let watch = Watch::default();
         folders.watched(&watch, options, 1, &Control::new()).unwrap();
-        assert_eq!(watch.told.into_inner().unwrap().planned, Some((2, 0)), "{options:?}");
+        watch.told.into_inner().unwrap().planned
+    };
+    for bootstrap in [
+        Bootstrap { seed: 2, ..OPTIONS.bootstrap },
+        Bootstrap { sources: 3, ..OPTIONS.bootstrap },
+        Bootstrap { resamples: 21, ..OPTIONS.bootstrap },
+    ] {
+        assert_eq!(other(Options { bootstrap, ..OPTIONS }), Some((2, 0)), "{bootstrap:?}");
     }
+    assert_eq!(other(Options { basic_seed: 2, ..OPTIONS }), Some((2, 2)), "no mesh of the basic set is here");
 }
 
 #[test]

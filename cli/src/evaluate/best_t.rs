@@ -2,11 +2,13 @@
 
 use super::models::{FormatArgs, LaplacianArgs, ModelArgs};
 use super::watch::watched;
-use crate::{Result, output};
-use clap::Args;
+use crate::{Cli, Result, output};
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory};
 use std::path::PathBuf;
+use taut::Laplacian;
 use taut_eval::report::{self, write_best};
-use taut_eval::{Study, exact, tables};
+use taut_eval::{Model, Study, exact, tables};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -45,25 +47,30 @@ pub(crate) struct BestTArgs {
     format: FormatArgs,
 }
 
+impl BestTArgs {
+    /// Refuses what clap cannot see by itself.
+    pub(super) fn check(&self) -> std::result::Result<(), clap::Error> {
+        if self.curve.is_none() || self.laplacian.all().len() == 1 {
+            return Ok(());
+        }
+        let message = "--curve draws one Laplacian: give --laplacian plain or intrinsic";
+        Err(Cli::command().error(ErrorKind::ArgumentConflict, message))
+    }
+}
+
 pub(crate) fn run(args: &BestTArgs) -> Result<()> {
     let laplacians = args.laplacian.all();
-    let drawn = match (&args.curve, &laplacians[..]) {
-        (Some(path), &[laplacian]) => Some((path, laplacian)),
-        (None, _) => None,
-        (Some(_), _) => return Err("--curve draws one Laplacian: give --laplacian plain or intrinsic".to_owned()),
-    };
-    let studies = studies(&args.models, &args.laplacian)?;
-    if let Some((path, laplacian)) = drawn {
+    let studies = studies(&args.models.read()?, &laplacians)?;
+    if let (Some(path), &[laplacian]) = (&args.curve, &laplacians[..]) {
         output::write(&[(path, report::curves(&studies, laplacian).into_bytes())])?;
     }
     args.format.print(&studies, || vec![tables::best(&studies, args.search)], |out| write_best(&studies, out))
 }
 
 /// The best t of each model with each Laplacian.
-pub(super) fn studies(models: &ModelArgs, laplacian: &LaplacianArgs) -> Result<Vec<Study>> {
-    let laplacians = laplacian.all();
-    watched(&models.read()?, |model, control, progress| {
+pub(super) fn studies(models: &[Model], laplacians: &[Laplacian]) -> Result<Vec<Study>> {
+    watched(models, |model, control, progress| {
         let exact = exact(model, model.source, control)?;
-        Study::new(model, &exact, &laplacians, None, control, progress)
+        Study::new(model, &exact, laplacians, None, control, progress)
     })
 }

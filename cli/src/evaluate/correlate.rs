@@ -5,7 +5,7 @@ use super::models::{FormatArgs, LaplacianArgs, ModelArgs};
 use crate::Result;
 use clap::Args;
 use taut_eval::report::{write_correlations, write_fits};
-use taut_eval::tables;
+use taut_eval::{Study, tables};
 
 const CORRELATE: &str = "\
 Examples:
@@ -33,7 +33,7 @@ pub(crate) struct CorrelateArgs {
 }
 
 pub(crate) fn run(args: &CorrelateArgs) -> Result<()> {
-    let studies = studies(&args.models, &args.laplacian)?;
+    let studies = three_at_least(&args.models, &args.laplacian)?;
     let found = tables::correlate(&studies);
     args.format.print(&found, || found.iter().map(tables::correlated).collect(), |out| write_correlations(&found, out))
 }
@@ -48,7 +48,8 @@ Exit code: 0 success, 1 failure, 2 a command line that makes no sense.";
 
 /// The line through the best t of meshes over the standard deviation of their edges, as the paper's Eq. 4
 ///
-/// Also the line through t / ē² over σ / ē, which depends on no unit. Takes three meshes at least.
+/// Also the line through t / ē² over σ / ē, which depends on no unit. With 95 % confidence intervals
+/// by Student's t. Takes three meshes at least.
 #[derive(Debug, Args)]
 #[command(after_help = FIT, verbatim_doc_comment)]
 pub(crate) struct FitArgs {
@@ -63,7 +64,16 @@ pub(crate) struct FitArgs {
 }
 
 pub(crate) fn fit(args: &FitArgs) -> Result<()> {
-    let studies = studies(&args.models, &args.laplacian)?;
+    let studies = three_at_least(&args.models, &args.laplacian)?;
     let found = tables::fit(&studies);
     args.format.print(&found, || vec![tables::fitted(&found)], |out| write_fits(&found, out))
+}
+
+/// The best t of each model, of which a correlation and a line need three.
+fn three_at_least(models: &ModelArgs, laplacian: &LaplacianArgs) -> Result<Vec<Study>> {
+    match &models.read()?[..] {
+        models @ [_, _, _, ..] => studies(models, &laplacian.all()),
+        [one] => Err(format!("fewer than three points: {} is the only mesh", one.name)),
+        few => Err(format!("fewer than three points: {} meshes", few.len())),
+    }
 }

@@ -36,6 +36,16 @@ enum Word {
     Reproduce(reproduce::ReproduceArgs),
 }
 
+impl EvaluateArgs {
+    /// Refuses what clap cannot see by itself.
+    pub(crate) fn check(&self) -> std::result::Result<(), clap::Error> {
+        match &self.word {
+            Word::BestT(args) => args.check(),
+            _ => Ok(()),
+        }
+    }
+}
+
 pub(crate) fn run(args: &EvaluateArgs) -> Result<()> {
     match &args.word {
         Word::Properties(args) => properties::run(args),
@@ -46,4 +56,9 @@ pub(crate) fn run(args: &EvaluateArgs) -> Result<()> {
         Word::Verify(args) => verify::run(args),
         Word::Reproduce(args) => reproduce::run(args),
     }
+}
+
+/// So many of something.
+fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
 }

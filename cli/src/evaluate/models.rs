@@ -1,9 +1,10 @@
 //! Options that several words of `taut evaluate` share.
 
+use super::counted;
 use crate::{Result, output};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use taut::Laplacian;
 use taut_eval::{Bootstrap, LAPLACIANS, Model, Table, mesh_files};
 
@@ -14,8 +15,8 @@ pub(crate) struct ModelArgs {
     #[arg(required = true, value_name = "MESH")]
     meshes: Vec<PathBuf>,
 
-    /// Source vertex, once for all meshes or once for each [default: the first vertex of each mesh,
-    /// and that of the paper on its 1.obj]
+    /// Source vertex, once for all meshes or once for each [default: what basic-set wrote into its
+    /// files; on the paper's mesh its source, 7649; else the first vertex of a triangle]
     #[arg(verbatim_doc_comment, long = "source", value_name = "V")]
     sources: Vec<u32>,
 }
@@ -26,7 +27,7 @@ impl ModelArgs {
         let mut paths = Vec::new();
         for path in &self.meshes {
             match path.is_dir() {
-                true => paths.extend(mesh_files(path).map_err(|error| error.to_string())?),
+                true => paths.extend(files(path)?),
                 false => paths.push(path.clone()),
             }
         }
@@ -35,14 +36,20 @@ impl ModelArgs {
             [] => Ok(None),
             _ if self.sources.len() == paths.len() => Ok(Some(self.sources[i])),
             _ => Err(format!(
-                "{} sources for {} meshes: give one for all, or one for each",
+                "{} sources for {}: give one for all, or one for each",
                 self.sources.len(),
-                paths.len()
+                counted(paths.len(), "mesh", "meshes")
             )),
         };
         let read = |(i, path): (usize, &PathBuf)| Model::read(path, source(i)?).map_err(|error| error.to_string());
         paths.iter().enumerate().map(read).collect()
     }
+}
+
+/// The mesh files of a folder, of which there must be some.
+fn files(folder: &Path) -> Result<Vec<PathBuf>> {
+    let files = mesh_files(folder).map_err(|error| error.to_string())?;
+    if files.is_empty() { Err(format!("{}: has no mesh files", folder.display())) } else { Ok(files) }
 }
 
 /// Which Laplacians.
@@ -96,6 +103,11 @@ impl BootstrapArgs {
     }
 }
 
+/// Tables one below the other.
+pub(super) fn text(tables: &[Table]) -> String {
+    tables.iter().map(Table::text).collect::<Vec<_>>().join("\n")
+}
+
 /// How results are printed.
 #[derive(Debug, Args)]
 pub(crate) struct FormatArgs {
@@ -110,7 +122,7 @@ enum Format {
     Text,
     /// The same as comma-separated values
     Csv,
-    /// One object with all there is, each number in full
+    /// All there is, each number in full
     Json,
 }
 
@@ -123,7 +135,7 @@ impl FormatArgs {
         csv: impl FnOnce(&mut Vec<u8>) -> std::io::Result<()>,
     ) -> Result<()> {
         match self.format {
-            Format::Text => output::print(&tables().iter().map(Table::text).collect::<Vec<_>>().join("\n")),
+            Format::Text => output::print(&text(&tables())),
             Format::Csv => {
                 let mut bytes = Vec::new();
                 csv(&mut bytes).map_err(|error| error.to_string())?;

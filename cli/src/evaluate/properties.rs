@@ -3,6 +3,7 @@
 use super::models::{FormatArgs, ModelArgs};
 use crate::Result;
 use clap::Args;
+use serde::Serialize;
 use taut_eval::report::write_properties;
 use taut_eval::{ModelProperties, tables};
 
@@ -29,15 +30,23 @@ pub(crate) struct PropertiesArgs {
     format: FormatArgs,
 }
 
+/// The properties of one model.
+#[derive(Serialize)]
+struct Named {
+    model: String,
+    #[serde(flatten)]
+    properties: ModelProperties,
+}
+
 pub(crate) fn run(args: &PropertiesArgs) -> Result<()> {
     let mut all = Vec::new();
     for model in args.models.read()? {
         let properties = ModelProperties::of(&model).map_err(|error| error.to_string())?;
-        all.push((model.name, properties));
+        all.push(Named { model: model.name, properties });
     }
     args.format.print(
         &all,
-        || all.iter().map(|(name, properties)| tables::properties(name, properties)).collect(),
-        |out| write_properties(all.iter().map(|(name, properties)| (&**name, properties)), out),
+        || all.iter().map(|of| tables::properties(&of.model, &of.properties)).collect(),
+        |out| write_properties(all.iter().map(|of| (&*of.model, &of.properties)), out),
     )
 }

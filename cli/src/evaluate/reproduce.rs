@@ -1,5 +1,6 @@
 //! `taut evaluate reproduce`: everything, as one report.
 
+use super::counted;
 use super::models::BootstrapArgs;
 use super::watch::{Bar, cancelled_by_user};
 use crate::picture::{Picture, Quantity};
@@ -61,7 +62,7 @@ pub(crate) fn run(args: &ReproduceArgs) -> Result<()> {
     for (name, reason) in &summary.failed {
         eprintln!("taut: warning: {name} is not in the report: {reason}");
     }
-    output::print(&format!("{}: {} models\n", summary.report.display(), summary.models))
+    output::print(&format!("{}: {}\n", summary.report.display(), counted(summary.models, "model", "models")))
 }
 
 const SIZE: [u32; 2] = [480, 360];

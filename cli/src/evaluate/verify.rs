@@ -48,7 +48,10 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<()> {
     })?;
     args.format.print(
         &studies,
-        || vec![tables::gains(&studies), tables::headline(&studies)],
+        || {
+            let headline = (studies.len() > 1).then(|| tables::headline(&studies));
+            tables::gains(&studies).into_iter().chain(headline).collect()
+        },
         |out| write_gains(&studies, out),
     )
 }

@@ -1,5 +1,6 @@
 //! Work that takes minutes, watched: Ctrl-C cancels it, a bar shows how far it is.
 
+use super::counted;
 use crate::Result;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
@@ -32,15 +33,14 @@ pub(super) fn watched<T>(
 ) -> Result<Vec<T>> {
     let control = cancelled_by_user();
     let bar = Bar::new();
-    let mut results = Vec::new();
-    for (i, model) in models.iter().enumerate() {
-        bar.begun(&model.name);
+    let one = |(i, model): (usize, &Model)| {
+        bar.update(|state| state.working = vec![model.name.clone()]);
         let at = |share: f64| bar.update(|state| state.done = (i as f64 + share) / models.len() as f64);
-        results.push(work(model, &control, &at).map_err(|error| error.to_string())?);
-        bar.update(|state| state.working.clear());
-    }
+        work(model, &control, &at).map_err(|error| error.to_string())
+    };
+    let results = models.iter().enumerate().map(one).collect();
     bar.end();
-    Ok(results)
+    results
 }
 
 const STEPS: f64 = 10_000.0;
@@ -89,7 +89,7 @@ impl Bar {
 impl Observer for Bar {
     fn planned(&self, models: usize, done_before: usize) {
         let before = if done_before == 0 { String::new() } else { format!(", {done_before} of them done before") };
-        self.say(&format!("{models} models{before}"));
+        self.say(&(counted(models, "model", "models") + &before));
     }
 
     fn begun(&self, model: &str) {

@@ -6,7 +6,8 @@
 //!
 //! Another vertex goes instead of one where this cannot be done, and instead of one that is on a border, or where the mesh
 //! is not a surface, or that has fewer than 4 or more than 64 neighbours. The source stays, and so do the ends of the
-//! shortest edge (Table 3: its length is the same in all meshes). A closed manifold stays one, of the same genus.
+//! shortest edge (Table 3: its length is the same in all meshes) and what spans the bounding box, which gives the scale. A
+//! closed manifold stays one, of the same genus.
 //!
 //! The draw is a generator and a rule that are the same everywhere, PCG XSL-RR 128/64 and one multiplication; everything
 //! else is IEEE arithmetic with square roots. O(V + F) for holes of a few vertices.
@@ -23,7 +24,6 @@ use crate::model::Model;
 use polygons::Polygons;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
-use std::fmt::Write;
 use taut::Mesh;
 
 /// How many vertices the paper took away for 2.obj to 5.obj (Table 1). It speaks of 3, 6, 9 and 12 %; these are 3.1, 6.2,
@@ -40,22 +40,6 @@ pub struct BasicMesh {
     pub model: Model,
     /// Which vertex of the first mesh each of its vertices is, ascending.
     pub origin: Vec<u32>,
-}
-
-impl BasicMesh {
-    /// The mesh as an OBJ file; each coordinate is the shortest decimal number that is read back to the same bits.
-    #[must_use]
-    pub fn obj(&self) -> String {
-        let mut text = String::new();
-        // Here and below: writing to a string cannot fail.
-        for [x, y, z] in self.model.mesh.positions() {
-            let _ = writeln!(text, "v {x} {y} {z}");
-        }
-        for [a, b, c] in self.model.mesh.triangles().iter().map(|t| t.map(|v| u64::from(v) + 1)) {
-            let _ = writeln!(text, "f {a} {b} {c}");
-        }
-        text
-    }
 }
 
 /// Meshes 2 to 5 of the set whose first mesh is `first`: the same shares of its vertices are taken away as in the paper.
@@ -80,6 +64,7 @@ pub fn basic_set(first: &Model, seed: u64) -> Result<[BasicMesh; 4]> {
 fn thinned(first: &Model, number: u64, count: u64, seed: u64) -> Result<BasicMesh> {
     let mut kept = vec![first.source];
     kept.extend(shortest_edge(&first.mesh).into_iter().flatten());
+    kept.extend(box_corners(&first.mesh));
     let candidates = (0..first.mesh.vertex_count() as u32).filter(|v| !kept.contains(v)); // fits: vertices of a mesh
     let mut draw = Draw { left: candidates.collect(), random: Pcg64::new(seed.into(), number.into()) };
 
@@ -128,6 +113,17 @@ impl Iterator for Draw {
         let product = u128::from(self.random.next_u64()) * self.left.len() as u128;
         (!self.left.is_empty()).then(|| self.left.swap_remove((product >> 64) as usize))
     }
+}
+
+/// Vertices that span the bounding box, which gives the scale: the shortest edge is the same at the paper's size too.
+fn box_corners(mesh: &Mesh) -> Vec<u32> {
+    let place = |&v: &u32, axis: usize| mesh.positions()[v as usize][axis];
+    let used = || mesh.triangles().iter().flatten().copied();
+    let ends = (0..3).flat_map(|axis| {
+        let order = move |a: &u32, b: &u32| place(a, axis).total_cmp(&place(b, axis));
+        [used().min_by(order), used().max_by(order)]
+    });
+    ends.flatten().collect()
 }
 
 /// The ends of the first of the shortest edges; `None` without an edge.

@@ -19,6 +19,9 @@ use crate::sweep::Measure;
 use serde::Serialize;
 use taut::{Laplacian, TimeFormula, TimeScale};
 
+/// The claim that all of it serves: more accuracy.
+pub(crate) const ACCURACY: &str = "C13";
+
 /// What becomes of a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]

@@ -55,7 +55,7 @@ pub struct Table {
     pub groups: Vec<(String, usize)>,
     /// A name for each column.
     pub head: Vec<String>,
-    /// As many cells as there are columns in each.
+    /// As many cells as there are columns in each; one with fewer ends in a remark, in text only.
     pub rows: Vec<Vec<Cell>>,
 }
 

@@ -1,18 +1,23 @@
 //! Numbers as people read them.
 
-/// Three significant digits, or more where these are whole: `0.0254`, `12.3`, `14290`, `3.2·10⁻⁷`.
+/// Three significant digits, or more where these are whole: `0.0254`, `12.3`, `14290`, `3.20·10⁻⁷`.
 pub(crate) fn significant(value: f64) -> String {
+    digits(value, 3)
+}
+
+/// So many significant digits, or more where these are whole.
+pub(crate) fn digits(value: f64, count: usize) -> String {
     let size = value.abs();
     if !value.is_finite() || value == 0.0 {
         return fixed(value, 0);
     }
     if !(1e-4..1e6).contains(&size) {
-        let written = format!("{value:.2e}");
+        let written = format!("{value:.*e}", count.saturating_sub(1));
         let (digits, exponent) = written.split_once('e').unwrap_or((&written, "0"));
         return format!("{}·10{}", signed(digits), raised(exponent));
     }
     let before = size.log10().floor() as i32 + 1;
-    fixed(value, (3 - before).max(0) as usize)
+    fixed(value, (count as i32 - before).max(0) as usize)
 }
 
 /// With so many digits after the point.
@@ -63,6 +68,7 @@ mod tests {
         }
         assert_eq!(significant(3.2e-7), "3.20·10⁻⁷");
         assert_eq!(significant(-1e300), "−1.00·10³⁰⁰");
+        assert_eq!([0.215_854_1, 102.294_44, 1.03e-5].map(|x| digits(x, 6)), ["0.215854", "102.294", "1.03000·10⁻⁵"]);
         assert_eq!([f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0].map(significant), ["–", "∞", "−∞", "0"]);
     }
 

@@ -4,7 +4,7 @@
 
 use super::pick;
 use crate::gain::{FormulaGain, Interval, Outcome, Verdict};
-use crate::names::{FORMULAS, LAPLACIANS, SCALES};
+use crate::names::{FORMULAS, LAPLACIANS, SCALES, name};
 use crate::properties::{ModelProperties, Property};
 use crate::study::{LaplacianStudy, Study};
 use crate::sweep::{Best, Measure};
@@ -79,7 +79,7 @@ pub fn write_best(studies: &[Study], out: impl Write) -> io::Result<()> {
     for (study, of) in each(studies) {
         for (measure, found) in Measure::ALL.into_iter().zip(of.search) {
             for (method, best) in [("sweep", of.sweep.best(measure)), ("search", found)] {
-                let first = [&study.model, name(&LAPLACIANS, of.laplacian), measure_name(measure), method];
+                let first = [&study.model, name(&LAPLACIANS, of.laplacian), measure.name(), method];
                 table.write_record(first.into_iter().map(str::to_owned).chain(best_cells(study, best)))?;
             }
         }
@@ -210,18 +210,6 @@ fn interval_cells(interval: Option<Interval>) -> [String; 4] {
 
 fn each(studies: &[Study]) -> impl Iterator<Item = (&Study, &LaplacianStudy)> {
     studies.iter().flat_map(|study| study.laplacians.iter().map(move |of| (study, of)))
-}
-
-fn measure_name(measure: Measure) -> &'static str {
-    match measure {
-        Measure::Mean => "mean",
-        Measure::Median => "median",
-    }
-}
-
-/// What a choice is called.
-fn name<T: PartialEq>(names: &[(&'static str, T)], choice: T) -> &'static str {
-    names.iter().find(|(_, known)| *known == choice).map_or("", |(name, _)| name)
 }
 
 /// Empty where there is none.

@@ -4,13 +4,16 @@ use super::{Cell, Table};
 use std::fmt::Write;
 
 impl Table {
-    /// The table with its columns one below the other: the first to the left, as words are, the others to the right.
+    /// The table with its columns one below the other: the first to the left, as words are, the others to the right. The
+    /// last cell of a row that is too short is a remark, which takes the rest of the line.
     #[must_use]
     pub fn text(&self) -> String {
         let head: Vec<Cell> = self.head.iter().map(|name| name.as_str().into()).collect();
         let rows: Vec<&[Cell]> = std::iter::once(&head[..]).chain(self.rows.iter().map(Vec::as_slice)).collect();
+        let is_remark = |row: &[Cell], column: usize| column + 1 == row.len() && row.len() < head.len();
         let width = |column: usize| {
-            rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.text.chars().count()).max().unwrap_or(0)
+            let columns = rows.iter().filter(|row| !is_remark(row, column)).filter_map(|row| row.get(column));
+            columns.map(|cell| cell.text.chars().count()).max().unwrap_or(0)
         };
         let widths: Vec<usize> = (0..self.head.len()).map(width).collect();
         let mut text = format!("{}\n", self.title);
@@ -24,6 +27,7 @@ impl Table {
                 let gap = if column == 0 { "" } else { "  " };
                 // Writing to a string cannot fail.
                 let _ = match column {
+                    _ if is_remark(row, column) => write!(line, "{gap}{}", cell.text),
                     0 => write!(line, "{gap}{:<width$}", cell.text),
                     _ => write!(line, "{gap}{:>width$}", cell.text),
                 };
@@ -61,9 +65,14 @@ mod tests {
             note: "n".to_owned(),
             groups: vec![(String::new(), 1), ("both".to_owned(), 2)],
             head: ["model", "ē", "t"].map(str::to_owned).into(),
-            rows: vec![["a", "1.5", "20"].map(Cell::from).into(), ["longer", "2", ""].map(Cell::from).into()],
+            rows: vec![
+                ["a", "1.5", "20"].map(Cell::from).into(),
+                ["longer", "2", ""].map(Cell::from).into(),
+                ["b", "refused, as it is"].map(Cell::from).into(),
+            ],
         };
-        let expected = "T\nn\n           both\nmodel     ē   t\na       1.5  20\nlonger    2\n";
+        let expected =
+            "T\nn\n           both\nmodel     ē   t\na       1.5  20\nlonger    2\nb       refused, as it is\n";
         assert_eq!(table.text(), expected);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Finished, Reproduction, is_own_tessellation};
 use crate::ablation::{Ablation, Choice, ErrorPair, Figures, Row};
-use crate::claims::{Claim, Evidence, claims};
+use crate::claims::{ACCURACY, Claim, Evidence, claims};
 use crate::correlate::correlations;
 use crate::draws::Drawn;
 use crate::fit::Fit;
@@ -12,7 +12,7 @@ use crate::properties::Property;
 use crate::report::numbers::{fixed, significant};
 use crate::report::{self, Beside, Content, CorrelationRow, CorrelationTable, Trend};
 use crate::report::{Cell, Table, Tone};
-use crate::study::Study;
+use crate::study::{LEAST_REACHED, Study};
 use crate::sweep::Measure;
 use crate::tables::best_rows;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
@@ -32,7 +32,7 @@ impl<'a> Parts<'a> {
     pub(super) fn content(&self, work: &Reproduction, claims: &'a [Claim], failed: &[(String, String)]) -> Content<'a> {
         Content {
             title: "How good is a time step? The heat method's t, evaluated".to_owned(),
-            summary: self.summary(),
+            summary: self.summary() + &in_short(claims),
             claims,
             making: self.making(work, failed),
             basic: self.basic,
@@ -78,6 +78,7 @@ impl<'a> Parts<'a> {
         let mut facts = vec![
             ["program", &format!("taut {}", env!("CARGO_PKG_VERSION"))].map(str::to_owned),
             ["models".to_owned(), format!("{}, with {vertices} vertices together", self.models.len())],
+            ["not counted".to_owned(), self.not_counted()],
             ["seed of the basic set".to_owned(), basic_seed.to_string()],
             [
                 "bootstrap".to_owned(),
@@ -91,6 +92,20 @@ impl<'a> Parts<'a> {
         ];
         facts.extend(failed.iter().map(|(model, reason)| [format!("left out: {model}"), reason.clone()]));
         facts
+    }
+
+    /// The models whose source reaches too few vertices to say anything.
+    fn not_counted(&self) -> String {
+        let few = self.finished.iter().map(|of| &of.study).filter(|study| !study.counts());
+        let names: Vec<String> = few.map(|study| format!("{} ({})", study.model, study.reached)).collect();
+        match names[..] {
+            [] => "none".to_owned(),
+            _ => format!(
+                "models whose source reaches fewer than {LEAST_REACHED} vertices; their numbers are in the tables beside this \
+                 page: {}",
+                names.join(", ")
+            ),
+        }
     }
 
     /// Tables 1 to 4.
@@ -247,6 +262,14 @@ impl<'a> Parts<'a> {
         });
         decoded.collect()
     }
+}
+
+/// What it all comes to, as far as one claim says it.
+fn in_short(claims: &[Claim]) -> String {
+    let accuracy = claims.iter().find(|claim| claim.id == ACCURACY).map(|claim| &claim.judgements[..]);
+    let Some([plain, intrinsic]) = accuracy else { return String::new() };
+    let first = intrinsic.ours.split(". ").next().unwrap_or_default();
+    format!(" In short: with plain cotangents {} With intrinsic Delaunay triangles {first}.", plain.ours)
 }
 
 fn beside(printed: Printed, ours: f64) -> Beside {

@@ -1,7 +1,7 @@
 //! The paper's evaluation on all meshes of a folder: one report, and what it was made from.
 //!
 //! Each model's results are a file of their own in the folder `work` of the output, named by what they depend on: mesh,
-//! source, name, options and version. So work that was interrupted goes on where it was, meshes that are added cost only
+//! source, name, bootstrap and version. So work that was interrupted goes on where it was, meshes that are added cost only
 //! themselves, and a file that does not fit, or was cut short, is as none. Files that nothing asks for any more stay.
 //!
 //! Each file is written whole or not at all; so two that work in one folder at once do all of it twice, but break nothing.
@@ -122,8 +122,8 @@ pub struct Summary {
 /// [`Error::Model`] if the work is cancelled or its time is over. What is finished by then is kept, and the next call goes
 /// on from there. A model that fails is no failure of the whole; the report tells it.
 pub fn reproduce(work: &Reproduction) -> Result<Summary> {
-    folder(&work.out.join(WORK))?;
     let Plan { jobs, mut failed } = Plan::of(work.meshes, work.options.basic_seed, work.threads, work.control)?;
+    folder(&work.out.join(WORK))?;
     let first = jobs.iter().find(|job| job.basic == Some(1));
     let drawn = first.map_or(0, |first| DRAWS * first.vertices);
     let total = (jobs.iter().map(|job| job.vertices).sum::<usize>() + drawn).max(1) as f64;
@@ -183,10 +183,12 @@ fn ends_all(error: &Error) -> bool {
 }
 
 impl Reproduction<'_> {
-    /// What a model's results depend on: the mesh, its source and name, the options and this program's version.
+    /// What a model's results depend on: the mesh, its source and name, the bootstrap and this program's version. The seed
+    /// of the basic set is in its meshes.
     fn key(&self, job: &Job) -> String {
         let Job { name, basic, fingerprint, .. } = job;
-        hex(&Sha256::digest(format!("{} {:?} {basic:?} {fingerprint} {name}", env!("CARGO_PKG_VERSION"), self.options)))
+        let bootstrap = self.options.bootstrap;
+        hex(&Sha256::digest(format!("{} {bootstrap:?} {basic:?} {fingerprint} {name}", env!("CARGO_PKG_VERSION"))))
     }
 
     /// Where a model's results are kept.

@@ -39,7 +39,8 @@ pub(super) fn write_all(
     let mut numbered: Vec<(usize, &Study)> = finished.iter().filter_map(|of| Some((of.basic?, &of.study))).collect();
     numbered.sort_by_key(|&(number, _)| number);
     let basic: Vec<Study> = numbered.into_iter().map(|(_, study)| study.clone()).collect();
-    let parts = Parts { finished, models: &models, basic: &basic, draws };
+    let counted: Vec<Study> = models.iter().filter(|study| study.counts()).cloned().collect();
+    let parts = Parts { finished, models: &counted, basic: &basic, draws };
     let claims = parts.claims();
     let content = parts.content(work, &claims, &failed);
 
