@@ -35,13 +35,6 @@ fn line(points: Vec<[f64; 2]>, colour: RGBColor, width: f64) -> Mark {
     Mark::Line { points, colour, width }
 }
 
-pub(super) fn measure_name(measure: Measure) -> &'static str {
-    match measure {
-        Measure::Mean => "mean",
-        Measure::Median => "median",
-    }
-}
-
 pub(super) fn laplacian_name(laplacian: Laplacian) -> &'static str {
     match laplacian {
         Laplacian::Plain => "plain cotangents",
@@ -174,11 +167,7 @@ pub(super) fn gains(models: &[Study], formula: TimeFormula, measure: Measure) ->
         (laplacian_name(laplacian).to_owned(), x, shown(laplacian))
     });
     Rows {
-        title: format!(
-            "gain of {} in the {} error over Eq. 1 for each model",
-            equation(formula),
-            measure_name(measure)
-        ),
+        title: format!("gain of {} in the {} error over Eq. 1 for each model", equation(formula), measure.name()),
         names: models.iter().map(|study| study.model.as_str()).collect(),
         left: NAMES,
         panels: panels.collect(),
@@ -217,7 +206,7 @@ pub(super) fn steps(models: &[Study], measure: Measure) -> String {
     let x = Axis::logarithmic("t", all, 6);
     let panels = marks.into_iter().map(|(laplacian, marks)| (laplacian_name(laplacian).to_owned(), x.clone(), marks));
     Rows {
-        title: format!("best t for the {} error, original t and proposed t for each model", measure_name(measure)),
+        title: format!("best t for the {} error, original t and proposed t for each model", measure.name()),
         names: models.iter().map(|study| study.model.as_str()).collect(),
         left: NAMES,
         panels: panels.collect(),
@@ -277,7 +266,7 @@ pub(super) fn correlations(measure: Measure, correlations: &[CorrelationTable]) 
         (laplacian_name(of.laplacian).to_owned(), Axis::linear("Pearson's coefficient", [-1.0, 1.0], 5), marks)
     });
     Rows {
-        title: format!("correlation of the best t for the {} error with each property", measure_name(measure)),
+        title: format!("correlation of the best t for the {} error with each property", measure.name()),
         names: first.iter().map(|row| row.property.symbol()).collect(),
         left: SYMBOLS,
         panels: panels.collect(),
@@ -302,7 +291,7 @@ pub(super) fn fit(fit: &FitFigure) -> String {
     let equation = format!("t = {} σ {sign} {}", significant(slope), significant(constant.abs()));
     let name = laplacian_name(fit.laplacian);
     let head = format!("{name}: {equation}, R² = {}", fixed(fit.line.r_squared, 3));
-    let title = format!("best t for the {} error over the standard deviation, {name}", measure_name(fit.measure));
+    let title = format!("best t for the {} error over the standard deviation, {name}", fit.measure.name());
     svg(&title, [462, 336], &[Panel { head, left: 58, top: 30, width: 390, height: 260, x, y, marks }])
 }
 

@@ -5,7 +5,7 @@ use crate::report::colours::{self, INK, SOFT};
 use crate::report::content::{Cell, Content, Table, Tone};
 use crate::report::numbers::fixed;
 use crate::report::page::{Key, figure, legend, table};
-use crate::report::plots::{self, laplacian_name, measure_name};
+use crate::report::plots::{self, laplacian_name};
 use crate::sweep::Measure;
 use maud::{Markup, html};
 use taut::TimeFormula;
@@ -69,10 +69,8 @@ fn correlation_of(content: &Content, measure: Measure, keys: Markup) -> Markup {
             .collect(),
         rows: rows.collect(),
     };
-    let caption = format!(
-        "Correlation of the best t for the {} error with each property over the basic set.",
-        measure_name(measure)
-    );
+    let caption =
+        format!("Correlation of the best t for the {} error with each property over the basic set.", measure.name());
     html! {
         (figure(&name, &caption, keys, &[plots::correlations(measure, &content.correlations)]))
         (table(&numbers))
@@ -86,7 +84,7 @@ fn fit_of(measure: Measure, fits: &[String]) -> Markup {
         (Key::Ring, SOFT, "the paper's tables"),
         (Key::Line, colours::of_formula(TimeFormula::MedianFit), "Eq. 4"),
     ];
-    let name = format!("The fit for the {} error.", measure_name(measure));
+    let name = format!("The fit for the {} error.", measure.name());
     let caption =
         "Best t over the standard deviation σ of the edges. Eq. 4 is the paper's regression for the median error.";
     figure(&name, caption, legend(&keys), fits)

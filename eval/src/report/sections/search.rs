@@ -4,7 +4,7 @@ use super::nothing;
 use crate::report::content::{Cell, Content, Table, Tone};
 use crate::report::numbers::{fixed, significant};
 use crate::report::page::table;
-use crate::report::plots::{laplacian_name, measure_name};
+use crate::report::plots::laplacian_name;
 use crate::study::{LaplacianStudy, Study};
 use crate::sweep::Measure;
 use maud::{Markup, html};
@@ -75,7 +75,7 @@ fn search_row(study: &Study, of: &LaplacianStudy, measure: Measure) -> Vec<Cell>
     vec![
         study.model.as_str().into(),
         Cell::new(laplacian_name(of.laplacian), Tone::Pale),
-        Cell::new(measure_name(measure), Tone::Pale),
+        Cell::new(measure.name(), Tone::Pale),
         format!("{end}{}", significant(best.t)).into(),
         fixed(best.error, 5).into(),
         Cell::new(best.probes.to_string(), Tone::Pale),

@@ -8,7 +8,7 @@ use crate::report::colours::{self, INK, SOFT};
 use crate::report::content::{Cell, Content, Table, Tone};
 use crate::report::page::{Key, figure, legend, table};
 use crate::report::pick::{self, Over};
-use crate::report::plots::{self, laplacian_name, measure_name, shown_formulas};
+use crate::report::plots::{self, laplacian_name, shown_formulas};
 use crate::sweep::Measure;
 use maud::{Markup, html};
 
@@ -43,7 +43,7 @@ fn gain_figure(content: &Content, of: &Figure, keys: Markup) -> Markup {
         "Gain of {} over Eq. 1 in the {} error. Models are in the order of their gain in the first panel, in both. \
          Gains below −100 % are at the edge, with an arrow and their number.",
         equation(formula),
-        measure_name(measure)
+        measure.name()
     );
     figure(&name, &caption, keys, &[plots::gains(content.models, formula, measure)])
 }
@@ -54,7 +54,7 @@ fn step_figure(content: &Content, number: u32, measure: Measure) -> Markup {
     let caption = format!(
         "Best t for the {} error, the original t (Eq. 1) and the proposed ones, at the paper's size on a logarithmic axis. The \
          thin line goes from the best to the maximum t. Models with the longest edges come first.",
-        measure_name(measure)
+        measure.name()
     );
     let keys = legend(&[&best[..], &formulas].concat());
     figure(&format!("Figure {number}."), &caption, keys, &[plots::steps(content.models, measure)])
@@ -65,7 +65,7 @@ fn headline(content: &Content) -> Table {
     let laplacians = plots::laplacians(content.models);
     let ways = || laplacians.iter().flat_map(|&laplacian| [(laplacian, Over::Vertices), (laplacian, Over::Sources)]);
     let rows = HEADLINES.iter().map(|&Figure { number, formula, measure, counts }| {
-        let what = format!("Figure {number}: {}, {}", equation(formula), measure_name(measure));
+        let what = format!("Figure {number}: {}, {}", equation(formula), measure.name());
         let ours = ways().map(|(laplacian, over)| {
             let ratio = |study| pick::paper_ratio(study, laplacian, formula, measure, over);
             Cell::from(Counts::of(content.models.iter().filter_map(ratio).map(|ratio| ratio.verdict())).to_string())
