@@ -23,7 +23,14 @@ pub(in crate::report) fn models(content: &Content) -> Markup {
         let shape = [p.anisotropy.unwrap_or(f64::NAN), p.mean_edge, p.sigma, p.sigma / p.mean_edge, p.max_angle];
         let shape = shape.map(|value| Cell::from(significant(value)));
         let found = laplacians.iter().flat_map(|&laplacian| model_cells(study, laplacian));
-        [Cell::from(study.model.as_str())].into_iter().chain(counts).chain(shape).chain(found).collect()
+        let seconds = Cell::from(significant(study.seconds));
+        [Cell::from(study.model.as_str())]
+            .into_iter()
+            .chain(counts)
+            .chain(shape)
+            .chain(found)
+            .chain([seconds])
+            .collect()
     };
     let groups = laplacians.iter().map(|&laplacian| (laplacian_name(laplacian).to_owned(), 8));
     let head = laplacians
@@ -33,10 +40,10 @@ pub(in crate::report) fn models(content: &Content) -> Markup {
         title: String::new(),
         note: "For each Laplacian: the best t for the mean error and the error there, the mean error at Eq. 1, and the gains of \
                Eq. 2 and 3 in the mean and of Eq. 4 and 5 in the median error; coloured where 95 % confidence over the vertices \
-               says better or worse."
+               says better or worse. At the end the seconds that one thread worked on it."
             .to_owned(),
-        groups: [(String::new(), 8)].into_iter().chain(groups).collect(),
-        head: ["model", "vertices", "triangles", "g", "ē", "σ", "σ / ē", "max angle"].into_iter().chain(head).map(str::to_owned).collect(),
+        groups: [(String::new(), 8)].into_iter().chain(groups).chain([(String::new(), 1)]).collect(),
+        head: ["model", "vertices", "triangles", "g", "ē", "σ", "σ / ē", "max angle"].into_iter().chain(head).chain(["seconds"]).map(str::to_owned).collect(),
         rows: content.models.iter().map(row).collect(),
     };
     table(&of_all)
