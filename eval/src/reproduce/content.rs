@@ -65,7 +65,7 @@ impl<'a> Parts<'a> {
         format!(
             "The paper “Wave propagation time optimization for geodesic distances calculation using the Heat Method” (2019) \
              proposes formulas for the time step t of the heat method. Here its evaluation is done again on {} models, of which \
-             {own} are the paper's own meshes, triangle by triangle. {basic} Errors are against exact distances. Each result \
+             {own} are meshes of its verification set, triangle by triangle. {basic} Errors are against exact distances. Each result \
              stands for two Laplacians: the plain cotangents of the paper, and those of the intrinsic Delaunay triangulation.",
             self.models.len(),
         )
@@ -232,7 +232,7 @@ impl<'a> Parts<'a> {
         let mut rows = Vec::new();
         for paper in &VERIFICATION {
             let named = |study: &&Study| paper::table5(&study.model) == Some(paper);
-            for ours in self.models.iter().filter(named) {
+            for ours in self.finished.iter().map(|of| &of.study).filter(named) {
                 let name = match is_own_tessellation(ours) {
                     true => format!("{}, its mesh", paper.name),
                     false => format!("{}, another", paper.name),
@@ -268,7 +268,7 @@ impl<'a> Parts<'a> {
 fn in_short(claims: &[Claim]) -> String {
     let accuracy = claims.iter().find(|claim| claim.id == ACCURACY).map(|claim| &claim.judgements[..]);
     let Some([plain, intrinsic]) = accuracy else { return String::new() };
-    let first = intrinsic.ours.split(". ").next().unwrap_or_default();
+    let first = intrinsic.ours.split(';').next().unwrap_or_default();
     format!(" In short: with plain cotangents {} With intrinsic Delaunay triangles {first}.", plain.ours)
 }
 
