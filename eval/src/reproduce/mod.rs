@@ -147,7 +147,7 @@ pub fn reproduce(work: &Reproduction) -> Result<Summary> {
     }
     finished.sort_by(|a, b| a.study.model.cmp(&b.study.model));
     let draws = match first {
-        Some(first) => work.draws(first, &finished, drawn as f64 / total)?,
+        Some(first) => work.draws(first, &finished, drawn as f64 / total, &mut failed)?,
         None => Vec::new(),
     };
     output::write_all(work, &jobs, &finished, &draws, failed)
@@ -249,19 +249,36 @@ impl Reproduction<'_> {
     }
 
     /// The basic set of `first` with other random numbers, all together `share` of the work; beside the set of the seed itself.
-    fn draws(&self, first: &Job, finished: &[Finished], share: f64) -> Result<Vec<Drawn>> {
+    /// What cannot be made is `failed`.
+    fn draws(
+        &self,
+        first: &Job,
+        finished: &[Finished],
+        share: f64,
+        failed: &mut Vec<(String, String)>,
+    ) -> Result<Vec<Drawn>> {
         let mut basic: Vec<&Finished> = finished.iter().filter(|of| of.basic.is_some()).collect();
         basic.sort_by_key(|of| of.basic);
         let Some(best) = basic.first().filter(|of| of.basic == Some(1)) else { return Ok(Vec::new()) };
         let (model, seed) = (first.model()?, self.options.basic_seed);
         let seeds: Vec<u64> = (1..=DRAWS as u64).map(|k| seed.wrapping_add(k)).collect();
         let others = side_by_side(&seeds, self.threads, |&seed| {
-            let drawn = self.drawn(first, &model, &best.study, seed)?;
+            let drawn = match self.drawn(first, &model, &best.study, seed) {
+                Err(error) if ends_all(&error) => return Err(error),
+                drawn => drawn.map_err(|error| (set_name(seed), error.to_string())),
+            };
             self.observer.advanced(share / DRAWS as f64);
             Ok(drawn)
         })?;
         let studies: Vec<Study> = basic.iter().map(|of| of.study.clone()).collect();
-        Ok(draws::judge(&studies, seed).into_iter().chain(others.into_iter().flatten()).collect())
+        let mut draws = draws::judge(&studies, seed);
+        for other in others {
+            match other {
+                Ok(drawn) => draws.extend(drawn),
+                Err(failure) => failed.push(failure),
+            }
+        }
+        Ok(draws)
     }
 
     /// One of them: what is kept, or made anew.
@@ -270,11 +287,10 @@ impl Reproduction<'_> {
         if let Some(kept) = read_json(&file) {
             return Ok(kept);
         }
-        let name = format!("basic set, seed {seed}");
-        self.observer.begun(&name);
+        self.observer.begun(&set_name(seed));
         let drawn = draws::draw(model, best, seed, self.control)?;
         write(&file, &to_json(&drawn)?)?;
-        self.observer.finished(&name, None);
+        self.observer.finished(&set_name(seed), None);
         Ok(drawn)
     }
 
@@ -298,6 +314,10 @@ impl Reproduction<'_> {
         let map = |((laplacian, formula, mean), png)| ErrorMap { laplacian, formula, mean, png };
         Ok(shown.into_iter().zip(drawn.iter().map(|png| BASE64_STANDARD.encode(png))).map(map).collect())
     }
+}
+
+fn set_name(seed: u64) -> String {
+    format!("basic set, seed {seed}")
 }
 
 fn is_drawn(gain: &FormulaGain, is_papers: bool) -> bool {
