@@ -301,7 +301,7 @@ fn ctrl_c_stops_between_whole_files() {
     let mut errors = BufReader::new(taut.stderr.take().unwrap());
     let mut said = String::new();
     errors.read_line(&mut said).unwrap(); // how many models there are: work begins
-    let interrupt = Command::new("kill").args(["-INT", &taut.id().to_string()]).status().unwrap();
+    let interrupt = Command::new("sh").args(["-c", &format!("kill -INT {}", taut.id())]).status().unwrap();
     assert!(interrupt.success());
     errors.read_to_string(&mut said).unwrap();
     assert_eq!(taut.wait().unwrap().code(), Some(1), "{said}");
