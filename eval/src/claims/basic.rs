@@ -1,6 +1,6 @@
 //! The basic set: what the least errors, the best t and the properties do along it.
 
-use super::{Finding, Judged, View, claim, list, too_few, word};
+use super::{Finding, Judged, View, claim, list, too_few};
 use crate::correlate::correlations;
 use crate::draws::Drawn;
 use crate::fit::{Coefficient, Fit};
@@ -94,7 +94,7 @@ fn drawn_sigma(view: &View, measure: Measure) -> String {
         let n = draws.len();
         format!(
             " Over {n} draws of the set, {} error: r = {low:.2} to {high:.2}, the strongest in {first}.",
-            word(measure)
+            measure.name()
         )
     })
 }
@@ -146,7 +146,7 @@ impl Strongest {
         let stronger: Vec<&str> = stronger.iter().map(|property| property.symbol()).collect();
         let rank =
             if stronger.is_empty() { "the strongest".to_owned() } else { format!("behind {}", stronger.join(", ")) };
-        let error = word(*measure);
+        let error = measure.name();
         format!(
             "{error} error: r = {r:.4}, {rank}; 95 % interval of |r| {low:.2} to {high:.2}, in which {alike} of {others} \
              others are."

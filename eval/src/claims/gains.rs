@@ -1,8 +1,8 @@
 //! The formulas beside Eq. 1.
 
-use super::{FEWEST_MODELS, Finding, Judged, View, by_share, claim, gain, outcome, too_few, word};
+use super::{FEWEST_MODELS, Finding, Judged, View, by_share, claim, gain, outcome, too_few};
 use crate::accuracy::median;
-use crate::gain::{Counts, Interval, Outcome, Verdict};
+use crate::gain::{Counts, Interval, Over, Verdict};
 use crate::names::equation;
 use crate::paper::{self, FIGURE_11, Figure, HEADLINES, Places, table5};
 use crate::properties::Property;
@@ -10,38 +10,15 @@ use crate::study::{LaplacianStudy, Study};
 use crate::sweep::Measure;
 use taut::{Laplacian, TimeFormula, TimeScale};
 
-/// What the bootstrap draws.
-#[derive(Clone, Copy)]
-enum Over {
-    Vertices,
-    Sources,
-}
-
 /// A formula's error over that of Eq. 1 at the paper's size; `None` where the formula is refused, or was not looked at so.
 fn ratio(of: &LaplacianStudy, formula: TimeFormula, measure: Measure, over: Over) -> Option<Interval> {
-    let Outcome { over_vertices, over_sources, .. } = outcome(of, formula, TimeScale::Paper)?;
-    let ratios = match over {
-        Over::Vertices => *over_vertices,
-        Over::Sources => (*over_sources)?,
-    };
-    Some(match measure {
-        Measure::Mean => ratios.mean,
-        Measure::Median => ratios.median,
-    })
+    outcome(of, formula, TimeScale::Paper)?.ratio(measure, over)
 }
 
 /// On how many models a formula is better.
 fn tally(models: &[(&Study, &LaplacianStudy)], figure: &Figure, over: Over) -> Counts {
     let verdicts = models.iter().filter_map(|(_, of)| ratio(of, figure.formula, figure.measure, over));
-    let mut counts = Counts { better: 0, worse: 0, unsure: 0 };
-    for interval in verdicts {
-        *match interval.verdict() {
-            Verdict::Better => &mut counts.better,
-            Verdict::Worse => &mut counts.worse,
-            Verdict::Unsure => &mut counts.unsure,
-        } += 1;
-    }
-    counts
+    Counts::of(verdicts.map(|interval| interval.verdict()))
 }
 
 fn all(counts: Counts) -> usize {
@@ -74,7 +51,7 @@ fn geometric_mean(values: impl Iterator<Item = f64>) -> Option<f64> {
 /// C5 to C8: on most models the formula is better than Eq. 1.
 pub(super) fn formulas(view: &View) -> [Judged; 4] {
     HEADLINES.map(|figure| {
-        let (name, error) = (equation(figure.formula), word(figure.measure));
+        let (name, error) = (equation(figure.formula), figure.measure.name());
         claim(
             &format!("With {name} the {error} error is less than with Eq. 1 on most models, with 95 % confidence."),
             format!(

@@ -168,21 +168,12 @@ impl<'a> View<'a> {
 
 /// The studies that have a Laplacian, and what it gives.
 fn with(studies: &[Study], laplacian: Laplacian) -> Vec<(&Study, &LaplacianStudy)> {
-    let found = |study: &'_ Study| study.laplacians.iter().position(|of| of.laplacian == laplacian);
-    studies.iter().filter_map(|study| Some((study, &study.laplacians[found(study)?]))).collect()
+    studies.iter().filter_map(|study| Some((study, study.with(laplacian)?))).collect()
 }
 
 /// What a formula gives; `None` where it is refused or was not asked for.
 fn outcome(of: &LaplacianStudy, formula: TimeFormula, scale: TimeScale) -> Option<&Outcome> {
     of.formulas.iter().find(|gain| gain.formula == formula && gain.scale == scale)?.outcome.as_ref().ok()
-}
-
-/// What an error is called.
-fn word(measure: Measure) -> &'static str {
-    match measure {
-        Measure::Mean => "mean",
-        Measure::Median => "median",
-    }
 }
 
 /// Numbers with commas between.

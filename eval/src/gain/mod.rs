@@ -139,6 +139,24 @@ impl fmt::Display for Counts {
     }
 }
 
+/// What a bootstrap draws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Over {
+    Vertices,
+    Sources,
+}
+
+impl Outcome {
+    /// The ratio to Eq. 1 of one of the errors; `None` where it was not looked at so.
+    pub(crate) fn ratio(&self, measure: Measure, over: Over) -> Option<Interval> {
+        let ratios = match over {
+            Over::Vertices => self.over_vertices,
+            Over::Sources => self.over_sources?,
+        };
+        Some(ratios.of(measure))
+    }
+}
+
 impl Ratios {
     /// That of one of the errors.
     #[must_use]

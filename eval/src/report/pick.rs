@@ -1,28 +1,12 @@
 //! What the page asks of studies.
 
-use crate::gain::{Interval, Outcome};
+use crate::gain::{Interval, Over};
 use crate::paper::Places;
 use crate::study::Study;
 use crate::sweep::Measure;
 use taut::{Laplacian, TimeFormula, TimeScale};
 
-/// What a bootstrap draws.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Over {
-    Vertices,
-    Sources,
-}
-
-/// The ratio of its error to that of Eq. 1.
-pub(super) fn ratio(outcome: &Outcome, measure: Measure, over: Over) -> Option<Interval> {
-    let ratios = match over {
-        Over::Vertices => outcome.over_vertices,
-        Over::Sources => outcome.over_sources?,
-    };
-    Some(ratios.of(measure))
-}
-
-/// The same at the paper's size.
+/// The ratio of a formula's error to that of Eq. 1 at the paper's size.
 pub(super) fn paper_ratio(
     study: &Study,
     laplacian: Laplacian,
@@ -30,7 +14,7 @@ pub(super) fn paper_ratio(
     measure: Measure,
     over: Over,
 ) -> Option<Interval> {
-    study.outcome(laplacian, formula, TimeScale::Paper).and_then(|outcome| ratio(outcome, measure, over))
+    study.outcome(laplacian, formula, TimeScale::Paper).and_then(|outcome| outcome.ratio(measure, over))
 }
 
 /// Where the best t for the mean error is, beside those of Eq. 1 and Eq. 2.

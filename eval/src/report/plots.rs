@@ -4,9 +4,10 @@ use super::chart::{Axis, Mark, Panel, Shape, shortened, svg};
 use super::colours::{self, INK, ORDERED, SOFT, TREND};
 use super::content::{CorrelationTable, FitFigure, Trend};
 use super::numbers::{fixed, gain, significant};
-use super::pick::{self, Over};
+use super::pick;
 use crate::fit::Fit;
 use crate::gain::Interval;
+use crate::gain::Over;
 use crate::names::{LAPLACIANS, equation};
 use crate::paper;
 use crate::study::Study;
@@ -300,7 +301,7 @@ pub(super) fn units(models: &[Study], formula: TimeFormula, laplacian: Laplacian
     let t = |study: &Study, scale| Some(study.outcome(laplacian, formula, scale)?.t / pick::mean_edge_squared(study));
     let error = |study: &Study, scale| {
         let outcome = study.outcome(laplacian, formula, scale)?;
-        pick::ratio(outcome, Measure::Mean, Over::Vertices).map(|interval| interval.ratio)
+        outcome.ratio(Measure::Mean, Over::Vertices).map(|interval| interval.ratio)
     };
     let models = sorted(models, |study| t(study, TimeScale::Raw));
     let panel = |name: &str, value: &dyn Fn(&Study, TimeScale) -> Option<f64>| {

@@ -1,12 +1,13 @@
 //! A row for each model.
 
 use super::nothing;
+use crate::gain::Over;
 use crate::gain::{Interval, Verdict};
 use crate::paper::{Figure, HEADLINES};
 use crate::report::content::{Cell, Content, Table, Tone};
 use crate::report::numbers::{gain, significant};
 use crate::report::page::table;
-use crate::report::pick::{self, Over};
+use crate::report::pick;
 use crate::report::plots::{self, laplacian_name};
 use crate::study::Study;
 use maud::Markup;

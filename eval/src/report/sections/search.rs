@@ -61,7 +61,7 @@ fn unique<'a>(studies: &[&'a Study]) -> Vec<&'a Study> {
 
 fn search_row(study: &Study, of: &LaplacianStudy, measure: Measure) -> Vec<Cell> {
     let best = of.sweep.best(measure);
-    let found = of.search[Measure::ALL.iter().position(|&one| one == measure).unwrap_or(0)];
+    let found = of.searched(measure);
     let is_low = of.sweep.points.first().is_some_and(|point| best.t <= point.t);
     let end = if !best.at_end {
         ""

@@ -1,12 +1,13 @@
 //! What the formulas give at the paper's size and in the units of a file.
 
 use super::nothing;
+use crate::gain::Over;
 use crate::names::{SCALES, equation};
 use crate::report::colours;
 use crate::report::content::{Cell, Content, Table, Tone};
 use crate::report::numbers::significant;
 use crate::report::page::{Key, figure, legend, table};
-use crate::report::pick::{self, Over};
+use crate::report::pick;
 use crate::report::plots;
 use crate::study::Study;
 use crate::sweep::Measure;
@@ -36,7 +37,7 @@ fn units_table(models: &[Study], laplacian: Laplacian) -> Table {
     let cells = |study: &Study, formula, scale| match study.outcome(laplacian, formula, scale) {
         None => [Cell::new("refused", Tone::Pale), Cell::new("–", Tone::Pale)],
         Some(outcome) => {
-            let mean = pick::ratio(outcome, Measure::Mean, Over::Vertices).map_or(f64::NAN, |interval| interval.ratio);
+            let mean = outcome.ratio(Measure::Mean, Over::Vertices).map_or(f64::NAN, |interval| interval.ratio);
             let tone = if scale == TimeScale::Raw { Tone::Plain } else { Tone::Pale };
             [outcome.t / pick::mean_edge_squared(study), mean].map(|value| Cell::new(significant(value), tone))
         }

@@ -1,13 +1,14 @@
 //! The gains of the formulas over Eq. 1, and where the best t is.
 
 use super::nothing;
+use crate::gain::Over;
 use crate::gain::{Counts, Verdict};
 use crate::names::equation;
 use crate::paper::{FIGURE_11, Figure, HEADLINES, Places};
 use crate::report::colours::{self, INK, SOFT};
 use crate::report::content::{Cell, Content, Table, Tone};
 use crate::report::page::{Key, figure, legend, table};
-use crate::report::pick::{self, Over};
+use crate::report::pick;
 use crate::report::plots::{self, laplacian_name, shown_formulas};
 use crate::sweep::Measure;
 use maud::{Markup, html};
