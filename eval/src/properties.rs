@@ -219,6 +219,12 @@ impl ModelProperties {
         })
     }
 
+    /// ē²: the t of Eq. 1.
+    #[must_use]
+    pub fn mean_edge_squared(&self) -> f64 {
+        self.mean_edge * self.mean_edge
+    }
+
     /// One of them as a number; NaN where it is not there.
     #[must_use]
     pub fn value(&self, property: Property) -> f64 {

@@ -96,12 +96,18 @@ impl Study {
     /// What a formula gives; `None` where it is refused or was not asked for.
     #[must_use]
     pub fn outcome(&self, laplacian: Laplacian, formula: TimeFormula, scale: TimeScale) -> Option<&Outcome> {
-        let mut formulas = self.with(laplacian)?.formulas.iter();
-        formulas.find(|gain| gain.formula == formula && gain.scale == scale)?.outcome.as_ref().ok()
+        self.with(laplacian)?.outcome(formula, scale)
     }
 }
 
 impl LaplacianStudy {
+    /// What a formula gives; `None` where it is refused or was not asked for.
+    #[must_use]
+    pub fn outcome(&self, formula: TimeFormula, scale: TimeScale) -> Option<&Outcome> {
+        let mut formulas = self.formulas.iter();
+        formulas.find(|gain| gain.formula == formula && gain.scale == scale)?.outcome.as_ref().ok()
+    }
+
     /// The best t for one of the errors, by the search.
     #[must_use]
     pub fn searched(&self, measure: Measure) -> Best {

@@ -73,7 +73,7 @@ pub fn best(studies: &[Study], search: bool) -> Table {
 
 fn best_row(study: &Study, laplacian: Laplacian, measure: Measure, found: Best) -> Vec<Cell> {
     let properties = &study.properties;
-    let shares = found.t / (properties.mean_edge * properties.mean_edge);
+    let shares = found.t / properties.mean_edge_squared();
     let mark = if found.at_end { "*" } else { "" };
     vec![
         study.model.as_str().into(),
@@ -251,7 +251,7 @@ fn gain_row(study: &Study, measure: Measure, gain: &FormulaGain) -> Vec<Cell> {
 }
 
 fn outcome_cells(study: &Study, measure: Measure, formula: TimeFormula, outcome: &Outcome) -> Vec<Cell> {
-    let shares = outcome.t / (study.properties.mean_edge * study.properties.mean_edge);
+    let shares = outcome.t / study.properties.mean_edge_squared();
     let error = match measure {
         Measure::Mean => outcome.mean,
         Measure::Median => outcome.median,

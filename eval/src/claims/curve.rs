@@ -1,6 +1,6 @@
 //! The error as a function of t.
 
-use super::{FEWEST_MODELS, Finding, Judged, View, by_share, claim, outcome, too_few};
+use super::{FEWEST_MODELS, Finding, Judged, View, by_share, claim, too_few};
 use crate::accuracy::median;
 use crate::fit::Fit;
 use crate::study::LaplacianStudy;
@@ -162,7 +162,7 @@ impl Counts {
                 Measure::Mean => [TimeFormula::Sigma, TimeFormula::MeanSigma],
                 Measure::Median => [TimeFormula::MedianFit, TimeFormula::MedianMean],
             };
-            for given in formulas.into_iter().filter_map(|formula| outcome(of, formula, TimeScale::Paper)) {
+            for given in formulas.into_iter().filter_map(|formula| of.outcome(formula, TimeScale::Paper)) {
                 self.formulas += 1;
                 self.below += usize::from(given.t < maximum);
             }

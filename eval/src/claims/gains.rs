@@ -1,6 +1,6 @@
 //! The formulas beside Eq. 1.
 
-use super::{FEWEST_MODELS, Finding, Judged, View, by_share, claim, gain, outcome, too_few};
+use super::{FEWEST_MODELS, Finding, Judged, View, by_share, claim, gain, too_few};
 use crate::accuracy::median;
 use crate::gain::{Counts, Interval, Over, Verdict};
 use crate::names::equation;
@@ -12,7 +12,7 @@ use taut::{Laplacian, TimeFormula, TimeScale};
 
 /// A formula's error over that of Eq. 1 at the paper's size; `None` where the formula is refused, or was not looked at so.
 fn ratio(of: &LaplacianStudy, formula: TimeFormula, measure: Measure, over: Over) -> Option<Interval> {
-    outcome(of, formula, TimeScale::Paper)?.ratio(measure, over)
+    of.outcome(formula, TimeScale::Paper)?.ratio(measure, over)
 }
 
 /// On how many models a formula is better.
@@ -137,7 +137,7 @@ pub(super) fn sizes(view: &View) -> Judged {
 /// C10: the best t is mostly between Eq. 1 and Eq. 2.
 pub(super) fn places(view: &View) -> Judged {
     let place = |of: &LaplacianStudy| {
-        let t = |formula| outcome(of, formula, TimeScale::Paper).map(|outcome| outcome.t);
+        let t = |formula| of.outcome(formula, TimeScale::Paper).map(|outcome| outcome.t);
         let (a, b) = (t(TimeFormula::MeanEdge)?, t(TimeFormula::Sigma)?);
         let best = of.sweep.mean.t;
         Some(if best < a.min(b) { 1 } else { 2 * usize::from(best > a.max(b)) })
@@ -173,7 +173,7 @@ pub(super) fn accuracy(view: &View) -> Judged {
         let ratios = models.iter().filter_map(|(_, of)| ratio(of, formula, Measure::Mean, Over::Vertices));
         geometric_mean(ratios.map(|interval| interval.ratio))
     };
-    let original = |of: &LaplacianStudy| outcome(of, TimeFormula::MeanEdge, TimeScale::Paper).map(|given| given.mean);
+    let original = |of: &LaplacianStudy| of.outcome(TimeFormula::MeanEdge, TimeScale::Paper).map(|given| given.mean);
     let of_best = models.iter().filter_map(|(_, of)| Some(of.sweep.mean.error / original(of)?));
     let any_t = geometric_mean(of_best);
     let judged = match (mean(TimeFormula::Sigma), mean(TimeFormula::MeanSigma), any_t) {
@@ -207,7 +207,7 @@ pub(super) fn accuracy(view: &View) -> Judged {
 fn delaunay(studies: &[Study]) -> String {
     let mean = |study: &Study, laplacian| {
         let of = study.laplacians.iter().find(|of| of.laplacian == laplacian)?;
-        outcome(of, TimeFormula::MeanEdge, TimeScale::Paper).map(|given| given.mean)
+        of.outcome(TimeFormula::MeanEdge, TimeScale::Paper).map(|given| given.mean)
     };
     let ratio = |study| Some(mean(study, Laplacian::Intrinsic)? / mean(study, Laplacian::Plain)?);
     let ratios: Vec<f64> = studies.iter().filter_map(ratio).filter(|ratio| *ratio > 0.0 && ratio.is_finite()).collect();
@@ -224,7 +224,7 @@ fn delaunay(studies: &[Study]) -> String {
 /// C14: the formulas take edges as they stand.
 pub(super) fn units(view: &View) -> Judged {
     let models = view.models();
-    let mean = |of: &LaplacianStudy, scale| outcome(of, TimeFormula::Sigma, scale).map(|given| given.mean);
+    let mean = |of: &LaplacianStudy, scale| of.outcome(TimeFormula::Sigma, scale).map(|given| given.mean);
     let known = models.iter().filter_map(|(_, of)| Some((mean(of, TimeScale::Paper)?, mean(of, TimeScale::Raw))));
     let pairs: Vec<(f64, Option<f64>)> = known.collect();
     let is_near = |&(paper, raw): &(f64, Option<f64>)| raw.is_some_and(|raw| (raw / paper).ln().abs() <= 1.1f64.ln());

@@ -12,12 +12,11 @@ mod synthetic;
 
 use crate::ablation::Ablation;
 use crate::draws::Drawn;
-use crate::gain::Outcome;
 use crate::names::{self, LAPLACIANS};
 use crate::study::{LaplacianStudy, Study};
 use crate::sweep::Measure;
 use serde::Serialize;
-use taut::{Laplacian, TimeFormula, TimeScale};
+use taut::Laplacian;
 
 /// The claim that all of it serves: more accuracy.
 pub(crate) const ACCURACY: &str = "C13";
@@ -169,11 +168,6 @@ impl<'a> View<'a> {
 /// The studies that have a Laplacian, and what it gives.
 fn with(studies: &[Study], laplacian: Laplacian) -> Vec<(&Study, &LaplacianStudy)> {
     studies.iter().filter_map(|study| Some((study, study.with(laplacian)?))).collect()
-}
-
-/// What a formula gives; `None` where it is refused or was not asked for.
-fn outcome(of: &LaplacianStudy, formula: TimeFormula, scale: TimeScale) -> Option<&Outcome> {
-    of.formulas.iter().find(|gain| gain.formula == formula && gain.scale == scale)?.outcome.as_ref().ok()
 }
 
 /// Numbers with commas between.

@@ -30,8 +30,3 @@ pub(super) fn places(models: &[Study], laplacian: Laplacian) -> Places {
         }
     })
 }
-
-/// ē² at the paper's size: the t of Eq. 1.
-pub(super) fn mean_edge_squared(study: &Study) -> f64 {
-    study.properties.mean_edge * study.properties.mean_edge
-}

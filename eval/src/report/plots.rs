@@ -90,7 +90,7 @@ pub(super) fn curves(basic: &[Study], laplacian: Laplacian) -> String {
 
 /// Figure 9 for one model, small: the mean error over t / ē², with both Laplacians, between the same ends for all.
 pub(super) fn small_curves(study: &Study) -> String {
-    let unit = pick::mean_edge_squared(study);
+    let unit = study.properties.mean_edge_squared();
     let x = Axis::logarithmic("", [0.01, 1000.0], 5);
     let [least, most] = x.range();
     let inside = |point: &&Point| (least..=most).contains(&(point.t / unit));
@@ -197,7 +197,7 @@ fn whisker(interval: &Interval, row: f64, is_first: bool) -> Vec<Mark> {
 /// Figures 11 and 14: the best, the original and the proposed t for each model, and how far t may go.
 pub(super) fn steps(models: &[Study], measure: Measure) -> String {
     let laplacians = laplacians(models);
-    let models = sorted(models, |study| Some(pick::mean_edge_squared(study)));
+    let models = sorted(models, |study| Some(study.properties.mean_edge_squared()));
     let mut all = Vec::new();
     let mut marks = |laplacian| -> Vec<Mark> {
         let rows = models.iter().enumerate();
@@ -298,7 +298,8 @@ pub(super) fn fit(fit: &FitFigure) -> String {
 
 /// What a formula gives at the paper's size and in the units of the file: t / ē², and its error over that of Eq. 1.
 pub(super) fn units(models: &[Study], formula: TimeFormula, laplacian: Laplacian) -> String {
-    let t = |study: &Study, scale| Some(study.outcome(laplacian, formula, scale)?.t / pick::mean_edge_squared(study));
+    let t =
+        |study: &Study, scale| Some(study.outcome(laplacian, formula, scale)?.t / study.properties.mean_edge_squared());
     let error = |study: &Study, scale| {
         let outcome = study.outcome(laplacian, formula, scale)?;
         outcome.ratio(Measure::Mean, Over::Vertices).map(|interval| interval.ratio)

@@ -2,7 +2,6 @@
 //!
 //! t is at the paper's size, errors are in percent. Numbers have all their digits; what is not there is empty.
 
-use super::pick;
 use crate::gain::{FormulaGain, Interval, Outcome, Verdict};
 use crate::names::{FORMULAS, LAPLACIANS, SCALES, name};
 use crate::properties::{ModelProperties, Property};
@@ -90,7 +89,7 @@ pub fn write_best(studies: &[Study], out: impl Write) -> io::Result<()> {
 fn best_cells(study: &Study, best: Best) -> [String; 6] {
     [
         number(best.t),
-        number(best.t / pick::mean_edge_squared(study)),
+        number(best.t / study.properties.mean_edge_squared()),
         number(best.error),
         best.at_end.to_string(),
         best.maximum_t.map_or(String::new(), number),
@@ -194,7 +193,7 @@ fn outcome_cells(study: &Study, outcome: &Outcome) -> Vec<String> {
     let Outcome { t, mean, median, over_vertices, over_sources } = *outcome;
     let ratios = [Some(over_vertices), over_sources];
     let intervals = ratios.map(|ratios| [ratios.map(|of| of.mean), ratios.map(|of| of.median)]).concat();
-    let numbers = [t, t / pick::mean_edge_squared(study), mean, median].map(number);
+    let numbers = [t, t / study.properties.mean_edge_squared(), mean, median].map(number);
     numbers.into_iter().chain(intervals.into_iter().flat_map(interval_cells)).collect()
 }
 

@@ -53,7 +53,7 @@ pub(in crate::report) fn models(content: &Content) -> Markup {
 fn model_cells(study: &Study, laplacian: Laplacian) -> Vec<Cell> {
     let best = study.with(laplacian).map(|of| of.sweep.mean);
     let original = study.outcome(laplacian, TimeFormula::MeanEdge, TimeScale::Paper).map(|outcome| outcome.mean);
-    let unit = pick::mean_edge_squared(study);
+    let unit = study.properties.mean_edge_squared();
     let found = [best.map(|best| best.t), best.map(|best| best.t / unit), best.map(|best| best.error), original];
     let found = found.map(|value| Cell::from(significant(value.unwrap_or(f64::NAN))));
     let gains = HEADLINES.map(|Figure { formula, measure, .. }| {

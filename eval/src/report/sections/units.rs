@@ -7,7 +7,6 @@ use crate::report::colours;
 use crate::report::content::{Cell, Content, Table, Tone};
 use crate::report::numbers::significant;
 use crate::report::page::{Key, figure, legend, table};
-use crate::report::pick;
 use crate::report::plots;
 use crate::study::Study;
 use crate::sweep::Measure;
@@ -39,7 +38,7 @@ fn units_table(models: &[Study], laplacian: Laplacian) -> Table {
         Some(outcome) => {
             let mean = outcome.ratio(Measure::Mean, Over::Vertices).map_or(f64::NAN, |interval| interval.ratio);
             let tone = if scale == TimeScale::Raw { Tone::Plain } else { Tone::Pale };
-            [outcome.t / pick::mean_edge_squared(study), mean].map(|value| Cell::new(significant(value), tone))
+            [outcome.t / study.properties.mean_edge_squared(), mean].map(|value| Cell::new(significant(value), tone))
         }
     };
     let row = |study: &Study| {
