@@ -2,7 +2,7 @@
 
 import importlib.util
 import os
-import pathlib
+
 import re
 import shutil
 import subprocess
@@ -15,7 +15,6 @@ import pytest
 import taut
 from taut import _native
 
-PACKAGE = pathlib.Path(taut.__file__).parent
 
 
 @pytest.fixture(scope="module")
@@ -80,7 +79,7 @@ def mypy(*arguments):
 
 
 def test_types(project):
-    checked = mypy("--config-file", project / "pyproject.toml", PACKAGE)
+    checked = mypy("--config-file", project / "pyproject.toml", project / "src/taut")
     assert checked.returncode == 0, checked.stdout
 
 
