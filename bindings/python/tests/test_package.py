@@ -4,7 +4,6 @@ import importlib.util
 import os
 
 import re
-import shutil
 import subprocess
 import sys
 import sysconfig
@@ -107,7 +106,8 @@ def blocks(path):
 def test_code_of_the_pages_runs(root, cgal_meshes, tmp_path, page, run_python):
     program = blocks(root / page)
     assert program or page == "README.md"
-    shutil.copy(cgal_meshes / "elephant.off", tmp_path / "elephant.off")
+    (tmp_path / "elephant.off").symlink_to(cgal_meshes / "elephant.off")
+    (tmp_path / "data").symlink_to(root / "data")
     told = run_python(f"import os; os.chdir({str(tmp_path)!r})\n{program}")
     assert told.returncode == 0, told.stderr
     said = re.findall(r"print\(.*\)  # (.+)", program)
