@@ -27,7 +27,7 @@ MeshModel &current_layer(MeshDocument &document) {
     return *document.mm();
 }
 
-/// One field of each vertex, which begins at `first`, that of the vertex 0.
+/// One field of each vertex; `first` is that of vertex 0.
 template <class Scalar>
 auto field_of(std::size_t vertex_count, Scalar *first) {
     using Element = std::conditional_t<std::is_const_v<Scalar>, const Real, Real>;
@@ -35,9 +35,6 @@ auto field_of(std::size_t vertex_count, Scalar *first) {
 }
 View<const Real> positions(const CMeshO &m) {
     return field_of(m.vert.size(), m.vert.empty() ? nullptr : m.vert[0].P().V());
-}
-View<const Real> quality(const CMeshO &m) {
-    return field_of(m.vert.size(), m.vert.empty() ? nullptr : &m.vert[0].Q());
 }
 View<Real> quality(CMeshO &m) { return field_of(m.vert.size(), m.vert.empty() ? nullptr : &m.vert[0].Q()); }
 
@@ -204,7 +201,7 @@ void with_field(const Run &run, const taut::Mesh &mesh, const taut::Sources &fro
 
 const vcg::Color4b grey(160, 160, 160, 255);
 
-/// The range of the finite qualities, and how many are not finite.
+/// The range of the qualities, but for those that are inf, and how many these are.
 struct Range {
     Scalarm least = 0, greatest = 0;
     std::size_t unreached = 0;
@@ -216,7 +213,7 @@ Range range_of_quality(const CMeshO &m) {
     for (const CVertexO &vertex : m.vert) {
         if (vertex.IsD()) continue;
         const Scalarm q = vertex.cQ();
-        if (!std::isfinite(q)) {
+        if (std::isinf(q)) {
             range.unreached++;
             continue;
         }
@@ -227,13 +224,11 @@ Range range_of_quality(const CMeshO &m) {
     return range;
 }
 
-/// MeshLab's ramp over the finite qualities, grey elsewhere.
-void colour_by_quality(MeshModel &layer, const Range &range) {
-    layer.updateDataMask(MeshModel::MM_VERTCOLOR);
-    for (CVertexO &vertex : layer.cm.vert) {
-        if (vertex.IsD()) continue;
-        if (std::isfinite(vertex.cQ())) vertex.C().SetColorRamp(range.least, range.greatest, vertex.cQ());
-        else vertex.C() = grey;
+/// MeshLab's ramp over the range, grey where the quality is inf.
+void colour_by_quality(CMeshO &m, const Range &range) {
+    for (CVertexO &vertex : m.vert) {
+        if (std::isinf(vertex.cQ())) vertex.C() = grey;
+        else vertex.C().SetColorRamp(range.least, range.greatest, vertex.cQ());
     }
 }
 
@@ -242,6 +237,9 @@ void add_distance(const MeshDocument &document, RichParameterList &list) {
     add_method(list);
     list.addParam(RichBool("colour", true, "Colour",
                            "Colours the vertices by their distance, from red to blue; what no source reaches is grey."));
+    list.addParam(RichFloat("unreached", -1, "Quality if unreached",
+                            "The quality of what no source reaches. Beware of inf: MeshLab's own histograms and colours of "
+                            "the quality may end the program on it."));
 }
 
 void distance(Run &run) {
@@ -252,9 +250,17 @@ void distance(Run &run) {
 
     layer.updateDataMask(MeshModel::MM_VERTQUALITY);
     const Range range = range_of_quality(m);
-    if (run.parameters.getBool("colour")) colour_by_quality(layer, range);
+    if (run.parameters.getBool("colour")) {
+        layer.updateDataMask(MeshModel::MM_VERTCOLOR);
+        colour_by_quality(m, range);
+    }
+    const Scalarm unreached = run.parameters.getFloat("unreached");
+    for (CVertexO &vertex : m.vert)
+        if (std::isinf(vertex.cQ())) vertex.Q() = unreached;
     run.log(text("The farthest vertex is at %.9g", static_cast<double>(range.greatest)));
-    if (range.unreached != 0) run.log(text("No source reaches %zu vertices: their quality is inf", range.unreached));
+    if (range.unreached != 0)
+        run.log(text("No source reaches %zu vertices: their quality is %g", range.unreached,
+                     static_cast<double>(unreached)));
     run.results["farthest"] = range.greatest;
     run.results["unreached"] = static_cast<double>(range.unreached);
 }
@@ -321,6 +327,20 @@ void add_isolines(const MeshDocument &, RichParameterList &list) {
                           "How many values have lines, spread evenly between the least and the greatest quality."));
     list.addParam(RichFloat("spacing", 0, "Spacing",
                             "If not 0, lines are at the multiples of this instead, in the unit of the quality."));
+    list.addParam(RichBool("skipNegative", true, "Not where negative",
+                           "A quality below 0 has no lines: a distance is negative only where no source reaches."));
+}
+
+/// The quality of each vertex, or NaN where there shall be no lines.
+std::vector<Scalarm> values_of_lines(const Run &run, const CMeshO &m) {
+    const bool skips_negative = run.parameters.getBool("skipNegative");
+    std::vector<Scalarm> values;
+    values.reserve(m.vert.size());
+    for (const CVertexO &vertex : m.vert) {
+        const bool is_skipped = skips_negative && vertex.cQ() < 0;
+        values.push_back(is_skipped ? std::numeric_limits<Scalarm>::quiet_NaN() : vertex.cQ());
+    }
+    return values;
 }
 
 void isolines(Run &run) {
@@ -330,10 +350,11 @@ void isolines(Run &run) {
     const int count = run.parameters.getInt("count");
     const double spacing = run.parameters.getFloat("spacing");
     if (count < 0) throw std::runtime_error("Lines: the number is negative");
-    const auto levels = spacing != 0 ? taut::spaced_levels(mesh, quality(m), spacing)
-                                     : taut::even_levels(mesh, quality(m), static_cast<std::size_t>(count));
+    const std::vector<Scalarm> values = values_of_lines(run, m);
+    const auto levels = spacing != 0 ? taut::spaced_levels(mesh, values, spacing)
+                                     : taut::even_levels(mesh, values, static_cast<std::size_t>(count));
     if (levels.empty()) throw std::runtime_error("the quality is constant, or between two lines: there is none to draw");
-    const taut::Curves curves = taut::isolines(mesh, quality(m), levels);
+    const taut::Curves curves = taut::isolines(mesh, values, levels);
 
     add_layer(run, surface, curves, "Isolines", levels);
     run.log(text("%zu lines at %zu values from %.9g to %.9g", curves.count(), levels.size(), levels.front(),
@@ -377,7 +398,7 @@ const std::vector<Filter> &filters() {
          "Stores in the quality of each vertex its <b>geodesic distance</b>, that is the length of the shortest way over the "
          "surface, from the selected vertices, the centres of the selected faces, or a point. Any triangles will do: holes, "
          "several components, edges of many faces.<br>"
-         "What no source reaches gets the quality inf.<br>"
+         "What no source reaches gets the quality -1, unless you ask for another.<br>"
          "See: <br/><i>J. Mitchell, D. Mount, C. Papadimitriou</i><br/><b>\"The Discrete Geodesic Problem\"</b><br/>"
          "SIAM Journal on Computing, 1987<br/>"
          "<i>K. Crane, C. Weischedel, M. Wardetzky</i><br/><b>\"Geodesics in Heat\"</b><br/>ACM Transactions on Graphics, "
@@ -385,8 +406,7 @@ const std::vector<Filter> &filters() {
          colouring, MeshModel::MM_FACENUMBER, MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR, add_distance, distance},
         {"Geodesic isolines (Taut)", "taut_isolines",
          "Draws the lines along which the <b>quality</b> of the vertices takes given values, as a new layer of edges: "
-         "isolines of distances, or of any other quality. Their vertices have the value as their quality. Faces with a "
-         "vertex whose quality is not finite have no lines.",
+         "isolines of distances, or of any other quality. Their vertices have the value as their quality.",
          lines, MeshModel::MM_FACENUMBER | MeshModel::MM_VERTQUALITY, MeshModel::MM_NONE, add_isolines, isolines},
         {"Geodesic shortest path (Taut)", "taut_shortest_path",
          "Draws the <b>shortest path</b> over the surface to a point from another point, or from the nearest of the selected "

@@ -96,12 +96,14 @@ CMeshO &add(MeshDocument &document, const Arrays &arrays) {
     return m;
 }
 
-/// Whether each vertex has this quality, to the nearest float.
+/// Whether each vertex has this quality, to the nearest float, or `unreached` in place of inf.
 template <class Values>
-bool has_quality(const CMeshO &m, const Values &values) {
+bool has_quality(const CMeshO &m, const Values &values, float unreached = -1) {
     if (m.vert.size() != values.size()) return false;
-    for (std::size_t i = 0; i < values.size(); i++)
-        if (!m.vert[i].IsD() && m.vert[i].cQ() != static_cast<float>(values[i])) return false;
+    for (std::size_t i = 0; i < values.size(); i++) {
+        const float wanted = std::isinf(values[i]) ? unreached : static_cast<float>(values[i]);
+        if (!m.vert[i].IsD() && m.vert[i].cQ() != wanted) return false;
+    }
     return true;
 }
 
@@ -219,8 +221,8 @@ void test_isolines(const Arrays &arrays) {
     m.Tr.SetTranslate(Point3m(1, 2, 3));
     m.vert[arrays.triangles[0][0]].SetS();
     CHECK(run(document, distance));
-    std::vector<float> quality;
-    for (const CVertexO &v : m.vert) quality.push_back(v.cQ());
+    std::vector<float> quality; // inf in place of -1
+    for (const CVertexO &v : m.vert) quality.push_back(v.cQ() < 0 ? std::numeric_limits<float>::infinity() : v.cQ());
 
     CHECK(run(document, isolines, {{"count", count(5)}}));
     CHECK(document.size() == 2 && document.mm()->label() == "surface");
@@ -325,10 +327,18 @@ void test_parts() {
     CHECK(m.vert[0].C() == vcg::Color4b(vcg::Color4b::Red) && m.vert[2].C() == vcg::Color4b(vcg::Color4b::Blue));
     CHECK(m.vert[5].C() == vcg::Color4b(160, 160, 160, 255) && m.vert[4].C() == m.vert[5].C());
 
+    CHECK(run(document, distance, {{"unreached", number(inf)}}));
+    CHECK(m.vert[5].Q() == inf && m.vert[5].C() == vcg::Color4b(160, 160, 160, 255));
     CHECK(run(document, isolines, {{"spacing", number(0.5)}}));
     const CMeshO &lines = document.meshList[1]->cm;
     CHECK(lines.vert.size() == 6 && lines.edge.size() == 4); // 0.5 and 1, each over two triangles
     for (const CVertexO &v : lines.vert) CHECK(v.cQ() == 0.5f || v.cQ() == 1.0f);
+
+    // A quality that is no distance.
+    for (const int v : {0, 1, 2, 3}) m.vert[v].Q() = m.vert[v].P()[0] - 0.75f;
+    CHECK(run(document, isolines, {{"spacing", number(0.5)}, {"skipNegative", flag(false)}}));
+    CHECK(document.meshList[2]->cm.edge.size() == 4); // -0.5 and 0
+    CHECK(refuses(document, isolines, {{"spacing", number(0.5)}}, "none to draw"));
 
     CHECK(run(document, cells));
     CHECK(has_quality(m, std::vector<float>{0, 0, 0, 0, -1, -1, -1, -1, -1}));
@@ -371,6 +381,8 @@ void test_refusals() {
     CHECK(refuses(document, isolines, {}, "constant"));
     CHECK(refuses(document, isolines, {{"count", count(-1)}}, "negative"));
     m.vert[2].Q() = 3;
+    m.vert[3].Q() = 2;
+    m.vert[0].Q() = 1;
     CHECK(refuses(document, isolines, {{"spacing", number(-1)}}, "spacing"));
     CHECK(refuses(document, isolines, {{"spacing", number(1e-9f)}}, "spacing"));
     CHECK(refuses(document, isolines, {{"count", count(1000000)}}, "levels are more than"));

@@ -9,6 +9,7 @@ MESHLABSERVER is one that finds the plug-in, REFERENCE the program of reference.
 import array
 import math
 import pathlib
+import struct
 import subprocess
 import sys
 from xml.sax.saxutils import quoteattr
@@ -22,7 +23,9 @@ SELECT = "Conditional Vertex Selection"
 
 
 def parameter(name, value):
-    """A line of a filter script; MeshLab reads numbers of an enum only with their count, which may be 0."""
+    """A line of a filter script; MeshLab reads the number of an enum only beside their count, which may be 0."""
+    if name == "perc":
+        return f'<Param name="{name}" type="RichDynamicFloat" min="0" max="100" value="{value}"/>'
     if isinstance(value, tuple):
         x, y, z = value
         return f'<Param name="{name}" type="RichPoint3f" x="{x!r}" y="{y!r}" z="{z!r}"/>'
@@ -37,9 +40,9 @@ def parameter(name, value):
 # meshlabserver 2020.09 wants every parameter of a filter.
 METHOD = {"method": 0, "timeStep": 0, "timeFactor": 1.0, "laplacian": 0, "boundary": 0.0}
 DEFAULTS = {
-    DISTANCE: {"from": 0, "fromPoint": (0.0, 0.0, 0.0), **METHOD, "colour": True},
+    DISTANCE: {"from": 0, "fromPoint": (0.0, 0.0, 0.0), **METHOD, "colour": True, "unreached": -1.0},
     "Geodesic Voronoi cells (Taut)": {"from": 0, "fromPoint": (0.0, 0.0, 0.0), **METHOD},
-    "Geodesic isolines (Taut)": {"count": 20, "spacing": 0.0},
+    "Geodesic isolines (Taut)": {"count": 20, "spacing": 0.0, "skipNegative": True},
     "Geodesic shortest path (Taut)": {"from": 2, "fromPoint": (0.0, 0.0, 0.0), "toPoint": (1.0, 1.0, 1.0)},
 }
 
@@ -67,8 +70,6 @@ def read_ply(path):
             element, counts[words[1]] = words[1], int(words[2])
         if words[0] == "property" and element == "vertex":
             fields.append((words[2], {"float": "f", "double": "d", "uchar": "B", "int": "i"}[words[1]]))
-    import struct
-
     row = struct.Struct("<" + "".join(code for _, code in fields))
     rows = list(row.iter_unpack(content[end : end + counts["vertex"] * row.size]))
     vertices = {name: [r[i] for r in rows] for i, (name, _) in enumerate(fields)}
@@ -79,9 +80,10 @@ def read_ply(path):
 
 
 def distances(mesh, method, *sources):
+    """What the library says; as the filter, -1 where no source reaches."""
     floats = array.array("f")
     floats.frombytes(subprocess.check_output([reference, mesh, method, *map(str, sources)]))
-    return list(floats)
+    return [-1.0 if math.isinf(d) else d for d in floats]
 
 
 def check(condition, *message):
@@ -107,7 +109,7 @@ def test_distances(mesh):
     grey = (160, 160, 160)
     colours = list(zip(vertices["red"], vertices["green"], vertices["blue"]))
     for quality, colour in zip(vertices["quality"], colours):
-        check((colour == grey) == math.isinf(quality), mesh, quality, colour)
+        check((colour == grey) == (quality == -1), mesh, quality, colour)
 
     faces = ("Conditional Face Selection", {"condSelect": "(fi == 5)"})
     vertices, _, out = saved_distances(mesh, [faces, (DISTANCE, {"from": 1})])
@@ -146,7 +148,7 @@ def test_lines(mesh):
     check(edges.read_text().count("LINE") > 0, mesh, "no edges")
 
     vertices, _, out = saved_distances(mesh, [select, (DISTANCE, {})])
-    end = max((q, i) for i, q in enumerate(vertices["quality"]) if math.isfinite(q))[1]
+    end = max((q, i) for i, q in enumerate(vertices["quality"]) if q >= 0)[1]
     to = tuple(vertices[axis][end] for axis in "xyz")
     path = ("Geodesic shortest path (Taut)", {"from": 0, "toPoint": to})
     done = run(mesh, [select, path], ["-o", points, "-l", "1", "-m", "vq"])
@@ -158,11 +160,11 @@ def test_lines(mesh):
     check(f"{length:.5g}"[:5] in done.stdout, mesh, length, done.stdout)
 
 
-def test_others_read_inf(mesh):
-    """MeshLab's own filters take a quality that has inf in it."""
-    colour = ("Colorize by vertex Quality", {"minVal": 0.0, "maxVal": 1.0, "perc": 0.0, "zeroSym": False})
+def test_others_read(mesh):
+    """MeshLab's own filters, whose histograms end the program on inf, take our quality of what no source reaches."""
+    colour = ("Colorize by vertex Quality", {"minVal": 0.0, "maxVal": 1.0, "perc": 5.0, "zeroSym": False})
     vertices, _, _ = saved_distances(mesh, [(SELECT, {"condSelect": "(vi == 0)"}), (DISTANCE, {}), colour])
-    check(math.inf in vertices["quality"], mesh)
+    check(-1 in vertices["quality"], mesh)
 
 
 def test_failure(mesh):
@@ -186,6 +188,6 @@ for mesh in meshes[:-1]:
 test_deleted(meshes[0])
 test_lines(meshes[0])
 vertices, _, out = saved_distances(polygons, [(SELECT, {"condSelect": "(vi == 0)"}), (DISTANCE, {})])
-check(vertices["quality"] == distances(out, "exact", "vertices", 0) and math.inf in vertices["quality"], "polygons")
-test_others_read_inf(polygons)
+check(vertices["quality"] == distances(out, "exact", "vertices", 0) and -1 in vertices["quality"], "polygons")
+test_others_read(polygons)
 test_failure(polygons)
