@@ -71,7 +71,7 @@ std::string text(const char *format, Numbers... numbers) {
 
 // ------------------------------------------------------------------------------------------------------------- Sources
 
-enum From { FROM_VERTICES, FROM_FACES, FROM_POINT };
+enum SourceKind { SELECTED_VERTICES, SELECTED_FACES, POINT };
 
 void add_point(const MeshDocument &document, RichParameterList &list, const char *name, const char *label,
                const char *help) {
@@ -81,11 +81,11 @@ void add_point(const MeshDocument &document, RichParameterList &list, const char
                                     help));
 }
 
-void add_sources(const MeshDocument &document, RichParameterList &list, From from) {
-    list.addParam(RichEnum("from", from, {"Selected vertices", "Centres of selected faces", "Point"}, "From",
-                           "Where distances are measured from. Of several places the nearest one counts."));
-    add_point(document, list, "fromPoint", "From point",
-              "Used if From is Point: the place of the surface that is nearest to it counts.");
+void add_sources(const MeshDocument &document, RichParameterList &list, SourceKind kind) {
+    list.addParam(RichEnum("sources", kind, {"Selected vertices", "Centres of selected faces", "Point"}, "Sources",
+                           "What distances are measured from; of several places the nearest one counts."));
+    add_point(document, list, "sourcePoint", "Source point",
+              "Used if Sources is Point: the place of the surface that is nearest to it counts.");
 }
 
 /// The place of the surface that is nearest to a point of the document.
@@ -116,25 +116,25 @@ std::vector<std::uint32_t> selected_triangles(const CMeshO &m) {
 }
 
 taut::Sources sources(const Run &run, const CMeshO &m, const taut::Mesh &mesh) {
-    switch (run.parameters.getEnum("from")) {
-    case FROM_VERTICES: {
+    switch (run.parameters.getEnum("sources")) {
+    case SELECTED_VERTICES: {
         const auto vertices = selected_vertices(m);
         if (vertices.empty()) throw std::runtime_error("no vertex is selected");
         return vertices;
     }
-    case FROM_FACES: {
+    case SELECTED_FACES: {
         const auto triangles = selected_triangles(m);
         if (triangles.empty()) throw std::runtime_error("no face is selected");
         const double third = 1.0 / 3.0;
         const std::vector<std::array<double, 3>> centres(triangles.size(), {third, third, third});
         return taut::Sources().with_points(triangles, centres);
     }
-    case FROM_POINT: {
-        const taut::ClosestPoints place = nearest_place(run, m, mesh, "fromPoint");
+    case POINT: {
+        const taut::ClosestPoints place = nearest_place(run, m, mesh, "sourcePoint");
         return taut::Sources().with_points(place.faces, place.barycentrics);
     }
     }
-    throw std::runtime_error("From: there is no such choice");
+    throw std::runtime_error("Sources: there is no such choice");
 }
 
 // -------------------------------------------------------------------------------------------------------------- Method
@@ -233,7 +233,7 @@ void colour_by_quality(CMeshO &m, const Range &range) {
 }
 
 void add_distance(const MeshDocument &document, RichParameterList &list) {
-    add_sources(document, list, FROM_VERTICES);
+    add_sources(document, list, SELECTED_VERTICES);
     add_method(list);
     list.addParam(RichBool("colour", true, "Colour",
                            "Colours the vertices by their distance, from red to blue; what no source reaches is grey."));
@@ -266,7 +266,7 @@ void distance(Run &run) {
 }
 
 void add_cells(const MeshDocument &document, RichParameterList &list) {
-    add_sources(document, list, FROM_VERTICES);
+    add_sources(document, list, SELECTED_VERTICES);
     add_method(list);
 }
 
@@ -363,8 +363,8 @@ void isolines(Run &run) {
 }
 
 void add_path(const MeshDocument &document, RichParameterList &list) {
-    add_sources(document, list, FROM_POINT);
-    add_point(document, list, "toPoint", "To point",
+    add_sources(document, list, POINT);
+    add_point(document, list, "targetPoint", "Target point",
               "Where the path leads: the place of the surface that is nearest to it counts.");
 }
 
@@ -373,7 +373,7 @@ void path(Run &run) {
     const CMeshO &m = surface.cm;
     const taut::Mesh mesh = make_mesh(m);
     const taut::Sources from = sources(run, m, mesh);
-    const taut::ClosestPoints end = nearest_place(run, m, mesh, "toPoint");
+    const taut::ClosestPoints end = nearest_place(run, m, mesh, "targetPoint");
     taut::ExactOptions options;
     options.targets = taut::Targets().with_points(end.faces, end.barycentrics);
     options.keep_windows = true;

@@ -166,7 +166,7 @@ void test_distances(const Arrays &arrays) {
     m.face[face].SetS();
     const double third = 1.0 / 3.0;
     const std::vector<double> centre{third, third, third};
-    CHECK(run(document, distance, {{"from", choice(faces)}}));
+    CHECK(run(document, distance, {{"sources", choice(faces)}}));
     CHECK(has_quality(m, solver.field(taut::Sources().with_points(face, centre)).distances()));
 
     // From a point in the space of the document, where the layer is turned and moved.
@@ -176,7 +176,7 @@ void test_distances(const Arrays &arrays) {
     const taut::ClosestPoints place = taut::Closest(mesh).points(position);
     const auto from = taut::Sources().with_points(place.faces, place.barycentrics);
     const std::vector<double> wanted = solver.field(from).distances();
-    CHECK(run(document, distance, {{"from", choice(at_point)}, {"fromPoint", point(m.Tr * p)}}));
+    CHECK(run(document, distance, {{"sources", choice(at_point)}, {"sourcePoint", point(m.Tr * p)}}));
     double worst = 0, most = 0;
     for (std::size_t i = 0; i < wanted.size(); i++) {
         if (!std::isfinite(wanted[i])) continue;
@@ -185,7 +185,7 @@ void test_distances(const Arrays &arrays) {
     }
     CHECK(worst <= 1e-5 * most); // the turn there and back is rounded
     m.Tr.SetIdentity();
-    CHECK(run(document, distance, {{"from", choice(at_point)}, {"fromPoint", point(p)}}));
+    CHECK(run(document, distance, {{"sources", choice(at_point)}, {"sourcePoint", point(p)}}));
     CHECK(has_quality(m, wanted));
 }
 
@@ -268,7 +268,7 @@ void test_path(const Arrays &arrays) {
     for (std::uint32_t v = 0; v < distances.size(); v++)
         if (std::isfinite(distances[v]) && distances[v] > distances[end]) end = v;
     m.vert[start].SetS();
-    CHECK(run(document, path, {{"from", choice(vertices)}, {"toPoint", point(m.vert[end].P())}}));
+    CHECK(run(document, path, {{"sources", choice(vertices)}, {"targetPoint", point(m.vert[end].P())}}));
     CHECK(document.size() == 2);
     const CMeshO &line = document.meshList[1]->cm;
     const double bound = 1e-4 * distances[end];
@@ -277,7 +277,7 @@ void test_path(const Arrays &arrays) {
     CHECK(vcg::Distance(line.vert.front().cP(), m.vert[end].cP()) <= bound);
     CHECK(vcg::Distance(line.vert.back().cP(), m.vert[start].cP()) <= bound);
 
-    CHECK(run(document, path, {{"fromPoint", point(m.vert[start].P())}, {"toPoint", point(m.vert[end].P())}}));
+    CHECK(run(document, path, {{"sourcePoint", point(m.vert[start].P())}, {"targetPoint", point(m.vert[end].P())}}));
     CHECK(document.size() == 3 && std::abs(length(document.meshList[2]->cm, 0) - distances[end]) <= bound);
 }
 
@@ -305,7 +305,7 @@ void test_deleted(const Arrays &arrays) {
     const double third = 1.0 / 3.0;
     const std::vector<double> centre{third, third, third};
     const taut::Mesh mesh = left.mesh();
-    CHECK(run(document, distance, {{"from", choice(faces)}}));
+    CHECK(run(document, distance, {{"sources", choice(faces)}}));
     CHECK(has_quality(m, taut::ExactSolver(mesh).field(taut::Sources().with_points(triangle, centre)).distances()));
     CHECK(refuses(document, distance, {}, "no vertex is selected")); // the deleted ones do not count
 
@@ -355,16 +355,16 @@ void test_refusals() {
     CHECK(refuses(document, isolines, {}, "there is no layer"));
     CMeshO &empty = add(document, {});
     CHECK(refuses(document, distance, {}, "no vertex is selected"));
-    CHECK(refuses(document, distance, {{"from", choice(faces)}}, "no face is selected"));
-    CHECK(refuses(document, distance, {{"from", choice(at_point)}}, "no triangles"));
+    CHECK(refuses(document, distance, {{"sources", choice(faces)}}, "no face is selected"));
+    CHECK(refuses(document, distance, {{"sources", choice(at_point)}}, "no triangles"));
     CHECK(refuses(document, isolines, {}, "constant"));
     CHECK(empty.vert.empty());
 
     CMeshO &m = add(document, squares());
     for (const char *name : {distance, cells}) {
         CHECK(refuses(document, name, {}, "no vertex is selected"));
-        CHECK(refuses(document, name, {{"from", choice(faces)}}, "no face is selected"));
-        CHECK(refuses(document, name, {{"from", choice(3)}}, "From: there is no such choice"));
+        CHECK(refuses(document, name, {{"sources", choice(faces)}}, "no face is selected"));
+        CHECK(refuses(document, name, {{"sources", choice(3)}}, "Sources: there is no such choice"));
         m.vert[0].SetS();
         CHECK(refuses(document, name, {{"method", choice(2)}}, "Method: there is no such choice"));
         for (const float factor : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN()})
@@ -375,8 +375,8 @@ void test_refusals() {
         m.vert[0].ClearS();
     }
     const Point3m nowhere(0, std::numeric_limits<float>::quiet_NaN(), 0);
-    CHECK(refuses(document, distance, {{"from", choice(at_point)}, {"fromPoint", point(nowhere)}}, "not finite"));
-    const Changes apart{{"fromPoint", point(Point3m(0, 0, 0))}, {"toPoint", point(Point3m(6, 1, 0))}};
+    CHECK(refuses(document, distance, {{"sources", choice(at_point)}, {"sourcePoint", point(nowhere)}}, "not finite"));
+    const Changes apart{{"sourcePoint", point(Point3m(0, 0, 0))}, {"targetPoint", point(Point3m(6, 1, 0))}};
     CHECK(refuses(document, path, apart, "separate parts"));
     CHECK(refuses(document, isolines, {}, "constant"));
     CHECK(refuses(document, isolines, {{"count", count(-1)}}, "negative"));
@@ -396,7 +396,7 @@ void test_cancel(const Arrays &arrays) {
     MeshDocument document;
     CMeshO &m = add(document, arrays);
     m.vert[arrays.triangles[0][0]].SetS();
-    const Changes near{{"from", choice(vertices)}, {"toPoint", point(m.face[0].P(1))}};
+    const Changes near{{"sources", choice(vertices)}, {"targetPoint", point(m.face[0].P(1))}};
     const std::vector<std::pair<const char *, Changes>> work{
         {distance, {{"method", choice(exact)}}}, {distance, {{"method", choice(heat)}}}, {cells, {}}, {path, near}};
     for (const auto &[name, changes] : work) {

@@ -31,7 +31,7 @@ def parameter(name, value):
         return f'<Param name="{name}" type="RichPoint3f" x="{x!r}" y="{y!r}" z="{z!r}"/>'
     kinds = {bool: "RichBool", int: "RichInt", float: "RichFloat", str: "RichString"}
     kind = kinds[type(value)]
-    if name in ("from", "method", "timeStep", "laplacian"):
+    if name in ("sources", "method", "timeStep", "laplacian"):
         kind = 'RichEnum" enum_cardinality="0'
     text = str(value).lower() if isinstance(value, bool) else str(value)
     return f'<Param name="{name}" type="{kind}" value={quoteattr(text)}/>'
@@ -40,10 +40,10 @@ def parameter(name, value):
 # meshlabserver 2020.09 wants every parameter of a filter.
 METHOD = {"method": 0, "timeStep": 0, "timeFactor": 1.0, "laplacian": 0, "boundary": 0.0}
 DEFAULTS = {
-    DISTANCE: {"from": 0, "fromPoint": (0.0, 0.0, 0.0), **METHOD, "colour": True, "unreached": -1.0},
-    "Geodesic Voronoi cells (Taut)": {"from": 0, "fromPoint": (0.0, 0.0, 0.0), **METHOD},
+    DISTANCE: {"sources": 0, "sourcePoint": (0.0, 0.0, 0.0), **METHOD, "colour": True, "unreached": -1.0},
+    "Geodesic Voronoi cells (Taut)": {"sources": 0, "sourcePoint": (0.0, 0.0, 0.0), **METHOD},
     "Geodesic isolines (Taut)": {"count": 20, "spacing": 0.0, "skipNegative": True},
-    "Geodesic shortest path (Taut)": {"from": 2, "fromPoint": (0.0, 0.0, 0.0), "toPoint": (1.0, 1.0, 1.0)},
+    "Geodesic shortest path (Taut)": {"sources": 2, "sourcePoint": (0.0, 0.0, 0.0), "targetPoint": (1.0, 1.0, 1.0)},
 }
 
 
@@ -112,12 +112,12 @@ def test_distances(mesh):
         check((colour == grey) == (quality == -1), mesh, quality, colour)
 
     faces = ("Conditional Face Selection", {"condSelect": "(fi == 5)"})
-    vertices, _, out = saved_distances(mesh, [faces, (DISTANCE, {"from": 1})])
+    vertices, _, out = saved_distances(mesh, [faces, (DISTANCE, {"sources": 1})])
     check(vertices["quality"] == distances(out, "exact", "faces", 5), mesh, "faces")
 
     # A float of MeshLab's, since that is what it reads.
     point = tuple(array.array("f", [0.1, 0.2, 0.3]))
-    vertices, _, out = saved_distances(mesh, [(DISTANCE, {"from": 2, "fromPoint": point})])
+    vertices, _, out = saved_distances(mesh, [(DISTANCE, {"sources": 2, "sourcePoint": point})])
     check(vertices["quality"] == distances(out, "exact", "point", *point), mesh, "point")
     print(f"{mesh}: {len(vertices['quality'])} vertices")
 
@@ -150,7 +150,7 @@ def test_lines(mesh):
     vertices, _, out = saved_distances(mesh, [select, (DISTANCE, {})])
     end = max((q, i) for i, q in enumerate(vertices["quality"]) if q >= 0)[1]
     to = tuple(vertices[axis][end] for axis in "xyz")
-    path = ("Geodesic shortest path (Taut)", {"from": 0, "toPoint": to})
+    path = ("Geodesic shortest path (Taut)", {"sources": 0, "targetPoint": to})
     done = run(mesh, [select, path], ["-o", points, "-l", "1", "-m", "vq"])
     check(done.returncode == 0, done.stdout)
     line = read_ply(points)[0]
