@@ -1,22 +1,15 @@
 // Copyright (C) 2026 the authors of Taut. SPDX-License-Identifier: GPL-3.0-or-later (LICENSE says more)
 //
-// A host in place of MeshLab 2020.09: loads the plug-in, runs each filter on meshes in memory, and compares what they hold
-// then with what the library says of plain arrays.
+// Runs each filter on meshes in memory, and compares what they hold then with what the library says of plain arrays.
 //
 //     filters PLUGIN MESH...
 #include "../../../cpp_tests/check.hpp"
-
-#include <common/interfaces.h>
+#include "host.hpp"
 
 #include <QApplication>
-#include <QPluginLoader>
-#include <functional>
-#include <map>
 #include <tuple>
 
 namespace {
-
-// --------------------------------------------------------------------------------------------------------------- Host
 
 MeshFilterInterface *plugin = nullptr;
 std::size_t cancel_at = 0; // which call of the callback cancels, from 1 on; 0 is none
@@ -27,73 +20,17 @@ bool tell(int percent, const char *) {
     return progress.size() != cancel_at;
 }
 
-QAction *action(const char *name) { return plugin->AC(QString(name)); }
-
-using Changes = std::map<QString, std::function<void(RichParameterList &, const QString &)>>;
-std::function<void(RichParameterList &, const QString &)> choice(int i) {
-    return [i](RichParameterList &list, const QString &name) { list.setValue(name, EnumValue(i)); };
-}
-std::function<void(RichParameterList &, const QString &)> number(float x) {
-    return [x](RichParameterList &list, const QString &name) { list.setValue(name, FloatValue(x)); };
-}
-std::function<void(RichParameterList &, const QString &)> count(int n) {
-    return [n](RichParameterList &list, const QString &name) { list.setValue(name, IntValue(n)); };
-}
-std::function<void(RichParameterList &, const QString &)> flag(bool b) {
-    return [b](RichParameterList &list, const QString &name) { list.setValue(name, BoolValue(b)); };
-}
-std::function<void(RichParameterList &, const QString &)> point(const Point3m &p) {
-    return [p](RichParameterList &list, const QString &name) { list.setValue(name, Point3fValue(p)); };
-}
-
-/// Runs a filter with its defaults, but for what `changes` says.
 bool run(MeshDocument &document, const char *name, const Changes &changes = {}) {
-    RichParameterList list;
-    plugin->initParameterSet(action(name), document, list);
-    for (const auto &[parameter, change] : changes) change(list, parameter);
-    return plugin->applyFilter(action(name), document, list, tell);
+    return ::run(plugin, document, name, changes, tell);
 }
 
 // -------------------------------------------------------------------------------------------------------------- Meshes
-
-/// Plain arrays, as the filter should see a layer.
-struct Arrays {
-    std::vector<std::array<float, 3>> positions;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-
-    taut::Mesh mesh() const { return {positions, triangles}; }
-};
-
-Arrays read(const char *path) {
-    const taut::Mesh mesh = taut::Mesh::read(path);
-    Arrays arrays;
-    for (const auto &p : mesh.positions()) arrays.positions.push_back({float(p[0]), float(p[1]), float(p[2])});
-    for (const auto &t : mesh.triangles())
-        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) arrays.triangles.push_back(t);
-    return arrays;
-}
 
 /// Two squares apart, and a vertex at no place that no triangle uses.
 Arrays squares() {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {nan, nan, nan}, {5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0}},
             {{0, 1, 2}, {0, 2, 3}, {5, 6, 7}, {5, 7, 8}}};
-}
-
-CMeshO &add(MeshDocument &document, const Arrays &arrays) {
-    CMeshO &m = document.addNewMesh("", "surface")->cm;
-    vcg::tri::Allocator<CMeshO>::AddVertices(m, arrays.positions.size());
-    for (std::size_t i = 0; i < m.vert.size(); i++) {
-        const auto &p = arrays.positions[i];
-        m.vert[i].P() = Point3m(p[0], p[1], p[2]);
-        m.vert[i].Q() = -7;
-        m.vert[i].C() = vcg::Color4b(1, 2, 3, 4);
-    }
-    vcg::tri::Allocator<CMeshO>::AddFaces(m, arrays.triangles.size());
-    for (std::size_t f = 0; f < m.face.size(); f++)
-        for (int i = 0; i < 3; i++) m.face[f].V(i) = &m.vert[arrays.triangles[f][i]];
-    vcg::tri::UpdateBounding<CMeshO>::Box(m);
-    return m;
 }
 
 /// Whether each vertex has this quality, to the nearest float, or `unreached` in place of inf.
@@ -422,12 +359,8 @@ void test_cancel(const Arrays &arrays) {
 int main(int argc, char **argv) {
     const QApplication application(argc, argv);
     if (argc < 3) return 2;
-    QPluginLoader loader(argv[1]);
-    plugin = qobject_cast<MeshFilterInterface *>(loader.instance());
-    if (!plugin) {
-        std::printf("%s\n", qUtf8Printable(loader.errorString()));
-        return 1;
-    }
+    plugin = load(argv[1]);
+    if (!plugin) return 1;
     CHECK(plugin->actions().size() == 4);
     test_parts();
     test_refusals();
