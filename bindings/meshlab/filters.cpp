@@ -92,7 +92,7 @@ void add_sources(const MeshDocument &document, RichParameterList &list, SourceKi
 taut::ClosestPoints nearest_place(const Run &run, const CMeshO &m, const taut::Mesh &mesh, const char *name) {
     const Point3m point = vcg::Inverse(m.Tr) * run.parameters.getPoint3m(name);
     taut::ClosestPoints place = taut::Closest(mesh).points(View<const Real>(point.V(), 1));
-    run.log(text("%s: the nearest place of the surface is %g away", name, place.distances[0]));
+    run.log(text("The nearest place of the surface is %g away", place.distances[0]));
     return place;
 }
 
