@@ -9,6 +9,7 @@
 
 #include <taut.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -16,7 +17,6 @@
 namespace taut_meshlab {
 namespace {
 
-using taut::Index;
 using taut::Real;
 using taut::View;
 
