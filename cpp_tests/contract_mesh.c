@@ -187,6 +187,7 @@ static void positions_of_points(void) {
     taut_mesh *mesh = rectangle();
     const uint32_t beyond[] = {1, 2};
     const int32_t negative[] = {1, -1};
+    const double heavy[] = {1, 0, 0, 0, 0.5, 1};
     double at[6] = {-1, -1, -1, -1, -1, -1};
     float strided[8] = {0, 0, 0, 7, 0, 0, 0, 7};
     const taut_output to_strided = {.data = strided, .count = 2, .stride = 16, .type = TAUT_TYPE_F32};
@@ -195,6 +196,8 @@ static void positions_of_points(void) {
                 TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_FACE, 2);
     CHECK_FAILS(taut_mesh_point_positions(mesh, typed_input(negative, 2, TAUT_TYPE_I32), scalars(two_weights, 2),
                                           room(at, 2)),
+                TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 1);
+    CHECK_FAILS(taut_mesh_point_positions(mesh, indices(two_faces, 2), scalars(heavy, 2), room(at, 2)),
                 TAUT_REASON_BAD_ARGUMENT, TAUT_ELEMENT_POINT, 1);
     CHECK_FAILS(taut_mesh_point_positions(mesh, indices(two_faces, 1), scalars(two_weights, 2), room(at, 2)),
                 TAUT_REASON_BAD_ARGUMENT, 0, 0);

@@ -716,8 +716,8 @@ typedef struct {
  *   `taut_sources`.
  * - `out`: rows of three real numbers, at least as many as there are points; mesh units.
  *
- * Errors: TAUT_REASON_BAD_ARGUMENT names the point or the face that the mesh does not have; TAUT_REASON_BUFFER_TOO_SMALL.
- * Cost: linear in the points. Threads: any. Cannot be cancelled.
+ * Errors: TAUT_REASON_BAD_ARGUMENT names the point that is no place, or the face that the mesh does not have;
+ * TAUT_REASON_BUFFER_TOO_SMALL. Cost: linear in the points. Threads: any. Cannot be cancelled.
  */
 taut_status taut_mesh_point_positions(const taut_mesh *mesh,
                                       taut_input faces,
@@ -1255,7 +1255,8 @@ taut_status taut_heat_with_time_step(const taut_heat *heat,
                                      taut_heat **out);
 
 /**
- * Prepares the heat method for the same triangles in another place, with the options that `heat` was prepared with.
+ * Prepares the heat method for the same triangles in another place, with the options of `taut_heat_new`: its time step as
+ * well, not one of `taut_heat_with_time_step`.
  *
  * - `heat`: not NULL; it stays as it is and may be freed before the new one.
  * - `mesh`: not NULL; as `taut_mesh_with_positions` makes it. It may be freed afterwards.

@@ -23,8 +23,8 @@ fn distance(p: Point, q: Point) -> f64 {
 }
 
 /// The field's values at the vertices, from a function of the position.
-fn field(mesh: &Mesh, f: impl Fn(Point) -> f64) -> Vec<f64> {
-    mesh.positions().iter().map(|&p| f(p)).collect()
+fn field(mesh: &Mesh, f: impl FnMut(Point) -> f64) -> Vec<f64> {
+    mesh.positions().iter().copied().map(f).collect()
 }
 
 /// Pairs of neighbouring points.
@@ -281,6 +281,62 @@ fn a_level_through_vertices_has_each_point_once() {
     assert_eq!(positions, expected);
     // A vertex has two weights of 0.
     assert!(found[0].curve.points.iter().all(|point| point.barycentric.contains(&1.0)));
+}
+
+/// That each line is a source: the segment from a point to the next one lies in a triangle.
+#[track_caller]
+fn check_as_sources(mesh: &Mesh, found: Vec<Isoline>) {
+    let solver = ExactSolver::new(mesh).unwrap();
+    let near = ExactOptions { radius: 0.0, ..Default::default() };
+    for line in found {
+        solver.field(&[Source::curve(line.curve)], &near, &Control::new()).unwrap();
+    }
+}
+
+#[test]
+fn lines_within_rounding_of_vertices_are_sources() {
+    let mut random = Random(7);
+    for (name, shape) in
+        [("grid", shapes::grid(12, 12)), ("sphere", shapes::icosphere(3)), ("saddle", shapes::saddle(9))]
+    {
+        let mesh = shape.mesh().unwrap();
+        let largest = mesh.positions().iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+        for _ in 0..20 {
+            // Steps of a quarter, each off by a few units in the last place, more or fewer.
+            let mut off = || 10f64.powi(-(random.below(6) as i32) - 13) * (random.below(9) as f64 - 4.0);
+            let values: Vec<f64> = field(&mesh, |[x, y, _]| ((x + 0.5 * y) / largest * 4.0).round() / 4.0);
+            let values: Vec<f64> = values.iter().map(|u| u * (1.0 + off())).collect();
+            check_as_sources(&mesh, lines(name, &mesh, &values, &[-0.5, -0.25, 0.0, 0.25, 0.5, 0.75]));
+        }
+    }
+}
+
+#[test]
+fn distances_from_a_line_beside_vertices_are_straight() {
+    let mesh = shapes::grid(12, 12).mesh().unwrap();
+    let mut random = Random(3);
+    let values = field(&mesh, |[x, ..]| x * (1.0 + 1e-16 * random.below(9) as f64));
+    let line = lines("columns", &mesh, &values, &[5.0]).remove(0);
+    let source = Source::curve(line.curve);
+    let found = ExactSolver::new(&mesh).unwrap().field(&[source], &ExactOptions::default(), &Control::new()).unwrap();
+    for (d, [x, ..]) in found.distances().iter().zip(mesh.positions()) {
+        assert!((d - (x - 5.0).abs()).abs() < 1e-14, "{d} at {x}");
+    }
+}
+
+#[test]
+fn lines_over_triangles_without_area_are_sources() {
+    // A strip of triangles, some of them without area.
+    let mut random = Random(11);
+    for _ in 0..200 {
+        let positions: Vec<Point> =
+            (0..30).map(|i| [f64::from(i / 2), random.below(2) as f64 * f64::from(i % 2), 0.0]).collect();
+        let strip: Vec<[u32; 3]> =
+            (0..28).map(|i| if i % 2 == 0 { [i, i + 1, i + 2] } else { [i + 1, i, i + 2] }).collect();
+        let mesh = Mesh::from_triangles(&positions, &strip).unwrap();
+        let values: Vec<f64> = (0..30).map(|_| random.below(5) as f64 / 4.0).collect();
+        check_as_sources(&mesh, isolines(&mesh, &values, &[0.125, 0.25, 0.5, 0.625]).unwrap());
+    }
 }
 
 #[test]

@@ -230,7 +230,8 @@ pub unsafe extern "C" fn taut_heat_with_time_step(
     unsafe { guard_new(out, body) }
 }
 
-/// Prepares the heat method for the same triangles in another place, with the options that `heat` was prepared with.
+/// Prepares the heat method for the same triangles in another place, with the options of `taut_heat_new`: its time step as
+/// well, not one of `taut_heat_with_time_step`.
 ///
 /// - `heat`: not NULL; it stays as it is and may be freed before the new one.
 /// - `mesh`: not NULL; as `taut_mesh_with_positions` makes it. It may be freed afterwards.

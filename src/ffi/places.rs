@@ -71,8 +71,8 @@ unsafe impl SizedStruct for taut_targets {}
 ///   `taut_sources`.
 /// - `out`: rows of three real numbers, at least as many as there are points; mesh units.
 ///
-/// Errors: TAUT_REASON_BAD_ARGUMENT names the point or the face that the mesh does not have; TAUT_REASON_BUFFER_TOO_SMALL.
-/// Cost: linear in the points. Threads: any. Cannot be cancelled.
+/// Errors: TAUT_REASON_BAD_ARGUMENT names the point that is no place, or the face that the mesh does not have;
+/// TAUT_REASON_BUFFER_TOO_SMALL. Cost: linear in the points. Threads: any. Cannot be cancelled.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn taut_mesh_point_positions(
     mesh: Option<&taut_mesh>,
@@ -84,7 +84,14 @@ pub unsafe extern "C" fn taut_mesh_point_positions(
         let mesh = &required(mesh, "mesh")?.0;
         // SAFETY: the header asks for views of readable memory.
         let points = unsafe { surface_points(faces, barycentrics, "", Element::Point)? };
-        let positions = points.iter().map(|point| point.position(mesh)).collect::<Result<Vec<_>>>()?;
+        let position = |(i, point): (u64, &SurfacePoint)| {
+            let about = |error: Error| match error.element() {
+                None => error.about(Element::Point(i)),
+                Some(_) => error,
+            };
+            point.position(mesh).map_err(about)
+        };
+        let positions = (0..).zip(&points).map(position).collect::<Result<Vec<_>>>()?;
         // SAFETY: the header asks for a view of writable memory.
         unsafe { out.write_scalars(&positions, "out") }
     })

@@ -107,14 +107,18 @@ impl Scale {
     /// Brings the longest side of the bounding box over the referenced vertices into (1/2, 1]; a mesh without extent
     /// keeps its own units.
     pub(crate) fn of(mesh: &Mesh) -> Scale {
+        let referenced = |&(v, _): &(u32, _)| !mesh.topology().corners.row(v).is_empty();
+        Scale::over((0..).zip(mesh.positions()).filter(referenced).map(|(_, position)| position))
+    }
+
+    /// Brings the longest side of the bounding box of some positions into (1/2, 1], if it has one.
+    pub(crate) fn over<'a>(positions: impl IntoIterator<Item = &'a [f64; 3]>) -> Scale {
         let mut low = [f64::INFINITY; 3];
         let mut high = [f64::NEG_INFINITY; 3];
-        for (v, position) in (0..).zip(mesh.positions()) {
-            if !mesh.topology().corners.row(v).is_empty() {
-                for k in 0..3 {
-                    low[k] = low[k].min(position[k]);
-                    high[k] = high[k].max(position[k]);
-                }
+        for position in positions {
+            for k in 0..3 {
+                low[k] = low[k].min(position[k]);
+                high[k] = high[k].max(position[k]);
             }
         }
         // Halves, so that a box from -1e308 to 1e308 does not overflow.

@@ -209,6 +209,18 @@ fn nearest(tree: &RTree<Facet>, query: [f64; 3]) -> Option<SurfacePoint> {
     Some(best.point)
 }
 
+/// The place in a triangle where a position is but for rounding; `None` if it is elsewhere.
+pub(super) fn within_rounding(mesh: &Mesh, face: u32, position: [f64; 3]) -> Option<SurfacePoint> {
+    let corners = mesh.triangles()[face as usize].map(|v| mesh.positions()[v as usize]);
+    let units = Units(Scale::over(&corners));
+    let facet = Facet { face, corners: corners.map(|corner| units.place(corner)) };
+    let point = facet.nearest(units.place(position)).point;
+    let place = point.place(corners);
+    let largest = corners.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let is_there = (0..3).all(|k| (place[k] - position[k]).abs() <= ROUNDING * largest);
+    is_there.then_some(point)
+}
+
 /// A share of the lengths in a formula that its rounding does not exceed.
 const ROUNDING: f64 = 1.0 / (1u64 << 49) as f64;
 

@@ -1,5 +1,6 @@
 //! Polylines over the surface.
 
+use super::closest::within_rounding;
 use super::point::SurfacePoint;
 use crate::error::Result;
 use crate::mesh::Mesh;
@@ -44,7 +45,7 @@ impl Curve {
     }
 
     /// Its points and segments, or what is wrong with one of them. Points may follow each other at one place, and on an
-    /// edge or at a vertex they may name any triangle there, if some triangle holds the segment.
+    /// edge or at a vertex they may name any triangle there, if some triangle holds the segment, up to rounding.
     pub(crate) fn checked(&self, mesh: &Mesh) -> std::result::Result<Route, String> {
         let check = |(i, point): (usize, &SurfacePoint)| {
             point.checked(mesh).map_err(|message| format!("is a curve whose point {i} {message}"))
@@ -55,7 +56,7 @@ impl Curve {
         let back = if self.is_closed { Some(first) } else { None };
         let mut segments = Vec::with_capacity(points.len());
         for (i, (from, to)) in points.iter().zip(points[1..].iter().chain(back)).enumerate() {
-            match Segment::between(from, to, mesh) {
+            match Segment::between(from, to, mesh).or_else(|| Segment::within_rounding(from, to, mesh)) {
                 _ if from == to => {}
                 Some(segment) if segment.ends[0] == segment.ends[1] => {}
                 Some(segment) => segments.push(segment),
@@ -75,6 +76,16 @@ impl Segment {
             Some(Segment { face: from.face, ends: [from.barycentric, to.barycentric] })
         };
         in_triangle(from).or_else(|| from.in_triangles(mesh).iter().find_map(in_triangle))
+    }
+
+    /// As [`Segment::between`], to the position of `to`. Of several points that rounding puts at one place, such as an
+    /// isoline has beside a vertex, a curve keeps only one, which the triangle before it need not hold.
+    fn within_rounding(from: &SurfacePoint, to: &SurfacePoint, mesh: &Mesh) -> Option<Segment> {
+        let position = to.position(mesh).ok()?;
+        from.in_triangles(mesh).iter().find_map(|from| {
+            let to = within_rounding(mesh, from.face, position)?;
+            Some(Segment { face: from.face, ends: [from.barycentric, to.barycentric] })
+        })
     }
 
     /// The point with this share of the segment before it. Where the weights of both ends agree it has just these.

@@ -24,12 +24,14 @@ impl SurfacePoint {
     /// agree it is exactly theirs.
     ///
     /// # Errors
-    /// [`Reason::BadArgument`] naming the face where the mesh has no such triangle.
+    /// [`Reason::BadArgument`] naming the face where the mesh has no such triangle, or where the weights are not numbers
+    /// from 0 that sum to 1 up to 1e-6.
     pub fn position(&self, mesh: &Mesh) -> Result<[f64; 3]> {
         let Some(triangle) = mesh.triangles().get(self.face as usize) else {
             let message = format!("is where a point lies, but the mesh has {} triangles", mesh.triangle_count());
             return Err(Error::at(Reason::BadArgument, Element::Face(u64::from(self.face)), message));
         };
+        self.check_weights().map_err(|message| Error::new(Reason::BadArgument, format!("the point {message}")))?;
         Ok(self.place(triangle.map(|v| mesh.positions()[v as usize])))
     }
 
@@ -95,16 +97,22 @@ impl SurfacePoint {
         let Some(triangle) = mesh.triangles().get(face as usize) else {
             return Err(format!("lies in triangle {face}, but the mesh has {} triangles", mesh.triangle_count()));
         };
-        let sum: f64 = barycentric.iter().sum();
-        let is_sane = barycentric.iter().all(|&w| w >= 0.0) && (sum - 1.0).abs() <= WEIGHTS_OFF;
-        if !is_sane {
-            return Err(format!("has the weights {barycentric:?}, which are not three numbers from 0 that sum to 1"));
-        }
+        let sum = self.check_weights()?;
         let point = SurfacePoint { face, barycentric: barycentric.map(|w| w / sum) };
         if matches!(point.as_place(mesh), Place::Face(_)) && repeats_index(triangle) {
             return Err(format!("lies in triangle {face}, which repeats a vertex"));
         }
         Ok(point)
+    }
+
+    /// The sum of the weights, or what is wrong with them.
+    fn check_weights(&self) -> std::result::Result<f64, String> {
+        let weights = self.barycentric;
+        let sum: f64 = weights.iter().sum();
+        if weights.iter().all(|&w| w >= 0.0) && (sum - 1.0).abs() <= WEIGHTS_OFF {
+            return Ok(sum);
+        }
+        Err(format!("has the weights {weights:?}, which are not three numbers from 0 that sum to 1"))
     }
 
     /// A checked point as the engines use it.
