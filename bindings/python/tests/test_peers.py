@@ -13,7 +13,7 @@ import numpy as np
 import potpourri3d
 import pytest
 import real_meshes
-import scipy.sparse
+import scipy.sparse.csgraph
 import scipy.sparse.linalg
 from pygeodesic import geodesic
 
@@ -65,11 +65,24 @@ def by_pygeodesic(name):
     return geodesic.PyGeodesicAlgorithmExact(positions, triangles.astype(np.int32))
 
 
+@functools.lru_cache(maxsize=None)
+def parts(name):
+    """The connected part of each vertex, by scipy."""
+    positions, triangles = arrays(name)
+    ends = triangles[:, [0, 1, 1, 2]].reshape(-1, 2)
+    edges = scipy.sparse.coo_array((np.ones(len(ends)), ends.T), (len(positions), len(positions)))
+    return scipy.sparse.csgraph.connected_components(edges, directed=False)[1]
+
+
 def pygeodesic_distances(name, sources, targets=None):
-    """Distances and nearest sources; +inf where it says 1e100, what it has for places out of reach."""
-    targets = None if targets is None else np.array(targets, np.int32)
-    distances, nearest = by_pygeodesic(name).geodesicDistances(np.array(sources, np.int32), targets)
-    return np.where(distances < 1e99, distances, np.inf), nearest
+    """Distances and nearest sources; +inf and -1 out of reach, about which it is not asked: there it reads stray memory."""
+    part = parts(name)
+    targets = np.arange(len(part)) if targets is None else np.array(targets)
+    reached = np.isin(part[targets], part[sources])
+    distances, nearest = np.full(len(targets), np.inf), np.full(len(targets), -1)
+    ends = np.array(sources, np.int32), targets[reached].astype(np.int32)
+    distances[reached], nearest[reached] = by_pygeodesic(name).geodesicDistances(*ends)
+    return distances, nearest
 
 
 @functools.lru_cache(maxsize=None)
