@@ -154,7 +154,7 @@ class HeatSolver(Owner):
             shift=choice(Shift, shift, "shift"),
             solver=choice(Solver, solver, "solver"),
         )
-        words = {"boundary": boundary, "laplacian": laplacian, "shift": shift, "solver": solver}
+        words = {"time_step": step, "boundary": boundary, "laplacian": laplacian, "shift": shift, "solver": solver}
         with watched(progress, time_limit, control) as watch:
             handle = made(self._kind, library.taut_heat_new, mesh._pointer, ctypes.byref(options), watch)
         self._set(handle, mesh, step, words)
@@ -206,7 +206,8 @@ class HeatSolver(Owner):
     ) -> HeatSolver:
         """The solver of the same triangles in another place, as `Mesh.with_positions` makes them.
 
-        It keeps the options, and the ordering of the matrices. C: ``taut_heat_with_mesh``.
+        It keeps the options of the first solver, whose time step is that of `HeatSolver`, not of `with_time_step`, and the
+        ordering of the matrices. C: ``taut_heat_with_mesh``.
 
         Raises
         ------
@@ -215,7 +216,7 @@ class HeatSolver(Owner):
         """
         with watched(progress, time_limit, control) as watch:
             handle = made(self._kind, library.taut_heat_with_mesh, self._pointer, mesh._pointer, watch)
-        return HeatSolver.__new__(HeatSolver)._set(handle, mesh, self._step, self._words)
+        return HeatSolver.__new__(HeatSolver)._set(handle, mesh, self._words["time_step"], self._words)
 
     def compute_distance(
         self,
@@ -318,4 +319,5 @@ class HeatSolver(Owner):
 
 
 def _prepared(mesh: Mesh, step: TimeStep, words: dict[str, Any]) -> HeatSolver:
-    return HeatSolver(mesh, time_step=step, **words)
+    solver = HeatSolver(mesh, **words)
+    return solver if step == words["time_step"] else solver.with_time_step(step)
