@@ -66,6 +66,18 @@ def distance_rows(client, solver, sources, block=BLOCK):
     return rows
 
 
+def local_cluster(workers):
+    """Processes of one thread each; they talk over this machine's loopback alone, and there is no dashboard."""
+    return LocalCluster(
+        n_workers=workers,
+        threads_per_worker=1,
+        processes=True,
+        host="127.0.0.1",
+        dashboard_address="127.0.0.1:0",
+        scheduler_kwargs={"dashboard": False},
+    )
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("meshes", nargs="+", help="OBJ, OFF, PLY, STL or GLB files")
@@ -76,10 +88,7 @@ def main():
     mesh = taut.Mesh.read(options.meshes[0])
     sources = np.linspace(0, mesh.vertex_count - 1, options.sources, dtype=np.int64)
     solver = taut.HeatSolver(mesh)
-    # One thread each, since rows are computed by blocks; on this machine's loopback alone, without a dashboard.
-    with LocalCluster(
-        n_workers=options.workers, threads_per_worker=1, processes=True, host="127.0.0.1", dashboard_address=None
-    ) as cluster, Client(cluster) as client:
+    with local_cluster(options.workers) as cluster, Client(cluster) as client:
         rows = distance_rows(client, solver, sources)
         means = client.gather([client.submit(mean_distance, path, 0) for path in options.meshes])
     for path, mean in zip(options.meshes, means):
