@@ -14,8 +14,8 @@ from ._control import Control, Progress, watched
 from ._errors import check
 from ._handle import Handle, Owner, made
 from ._native import Laplacian, Shift, Solver, library
-from ._options import choice
-from .mesh import Mesh, TimeStep, TimeStepLike, time_step_of
+from ._options import choice, counted
+from .mesh import Mesh, TimeStep, TimeStepLike, pointer_of, time_step_of
 from .sources import SourcesLike, pointer_to, sources_of
 
 
@@ -156,7 +156,7 @@ class HeatSolver(Owner):
         )
         words = {"time_step": step, "boundary": boundary, "laplacian": laplacian, "shift": shift, "solver": solver}
         with watched(progress, time_limit, control) as watch:
-            handle = made(self._kind, library.taut_heat_new, mesh._pointer, ctypes.byref(options), watch)
+            handle = made(self._kind, library.taut_heat_new, pointer_of(mesh), ctypes.byref(options), watch)
         self._set(handle, mesh, step, words)
 
     def _set(self, handle: Handle, mesh: Mesh, step: TimeStep, words: dict[str, Any]) -> HeatSolver:
@@ -215,7 +215,7 @@ class HeatSolver(Owner):
             Where the mesh has other triangles.
         """
         with watched(progress, time_limit, control) as watch:
-            handle = made(self._kind, library.taut_heat_with_mesh, self._pointer, mesh._pointer, watch)
+            handle = made(self._kind, library.taut_heat_with_mesh, self._pointer, pointer_of(mesh), watch)
         return HeatSolver.__new__(HeatSolver)._set(handle, mesh, self._words["time_step"], self._words)
 
     def compute_distance(
@@ -291,9 +291,10 @@ class HeatSolver(Owner):
         starts = input_indices(() if sets is None else sets, "sets")
         rows = len(places) if starts.count == 0 else starts.count - 1
         result = real_output(out, (rows, self.mesh.vertex_count))
+        workers = counted(threads, "threads")
         with watched(progress, time_limit, control) as watch:
             compute = library.taut_heat_distance_rows
-            check(compute(self._pointer, pointer_to(places), starts, threads, watch, output(result)))
+            check(compute(self._pointer, pointer_to(places), starts, workers, watch, output(result)))
         return result
 
     def residuals(
