@@ -42,15 +42,19 @@ def _turns(tell: Callable[[float], bool | None] | None, thrown: _Thrown) -> Gene
     its ``try``, so that nothing is lost.
     """
     answer = 0
+    is_telling = False
     while True:
         try:
             while True:
                 share = yield answer
                 if tell and not answer:
+                    is_telling = True
                     answer = int(bool(tell(share)))
-        except GeneratorExit:
-            return
+                    is_telling = False
         except BaseException as error:
+            if isinstance(error, GeneratorExit) and not is_telling:
+                return
+            is_telling = False
             answer = 1
             thrown.thread = threading.get_ident()
             thrown.error = error
@@ -108,7 +112,7 @@ class Control:
         check(library.taut_control_set_callback(self._handle.pointer, self._callback, None))
         if time_limit is not None:
             # To C 0 means no limit.
-            check(library.taut_control_set_time_limit(self._handle.pointer, float(time_limit) or 1e-9))
+            check(library.taut_control_set_time_limit(self._handle.pointer, ctypes.c_double(time_limit or 1e-9)))
         if memory_limit is not None:
             limit = max(counted(memory_limit, "memory_limit"), 1)
             check(library.taut_control_set_memory_limit(self._handle.pointer, limit))
