@@ -80,6 +80,8 @@ def _readable(array: AnyArray, types: _Types, fallback: type[Any]) -> AnyArray:
 
 def _has_rows(array: AnyArray) -> bool:
     """Whether the rows are whole, apart from each other and in ascending order."""
+    if array.size == 0:
+        return True
     width = array.shape[1] if array.ndim == 2 else 1
     is_whole = width <= 1 or array.strides[1] == array.itemsize
     return is_whole and (array.shape[0] <= 1 or array.strides[0] >= width * array.itemsize)

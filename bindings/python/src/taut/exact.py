@@ -268,7 +268,7 @@ class ExactSolver(Owner):
         """
         from_ = pointer_to(sources_of(sources))
         make = library.taut_exact_distances_within
-        limit, workers = float(radius), counted(threads, "threads")
+        limit, workers = ctypes.c_double(radius), counted(threads, "threads")
         with watched(progress, time_limit, control) as watch:
             handle = made(_native.taut_sparse_distances, make, self._pointer, from_, limit, workers, watch)
         sparse = handle.pointer

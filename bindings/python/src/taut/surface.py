@@ -142,7 +142,7 @@ def even_levels(mesh: Mesh, values: npt.ArrayLike, count: int) -> Reals:
 
 def spaced_levels(mesh: Mesh, values: npt.ArrayLike, spacing: float) -> Reals:
     """The multiples of `spacing` between the least and the greatest value, for `isolines`. C: ``taut_spaced_levels``."""
-    return _levels(library.taut_spaced_levels, mesh, values, float(spacing), TAUT_MAX_LEVELS)
+    return _levels(library.taut_spaced_levels, mesh, values, ctypes.c_double(spacing), TAUT_MAX_LEVELS)
 
 
 def descent_paths(
