@@ -14,7 +14,6 @@ import time
 import joblib
 import numpy as np
 import pytest
-import real_meshes
 from distributed import Client
 
 import taut
@@ -24,17 +23,14 @@ KINDS = [taut.HeatSolver, taut.ExactSolver]
 SOURCES = np.arange(0, 2700, 110)
 BLOCKS = np.array_split(SOURCES, 7)
 
+# From Python 3.12 on: the processes are forked beside the threads of Dask on purpose.
+pytestmark = pytest.mark.filterwarnings("ignore:.*multi-threaded:DeprecationWarning")
 needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
 
 
-@pytest.fixture(scope="module")
-def mesh():
-    return taut.Mesh.read(real_meshes.path("elephant.off"))
-
-
 @pytest.fixture(scope="module", params=KINDS, ids=lambda kind: kind.__name__)
-def solver(request, mesh):
-    return request.param(mesh)
+def solver(request, elephant):
+    return request.param(elephant)
 
 
 @pytest.fixture(scope="module")
@@ -76,23 +72,23 @@ def test_a_loaded_solver_gives_the_same_numbers(solver, serial):
         assert np.array_equal(rows_of(pickle.loads(pickle.dumps(solver, protocol)), SOURCES), serial)
 
 
-def test_a_loaded_solver_has_its_options(mesh):
-    solver = solver_with_other_options(mesh)
+def test_a_loaded_solver_has_its_options(elephant):
+    solver = solver_with_other_options(elephant)
     loaded = pickle.loads(pickle.dumps(solver))
     assert loaded.time_step == solver.time_step
     assert np.array_equal(loaded.compute_distance(7), solver.compute_distance(7))
-    assert not np.array_equal(loaded.compute_distance(7), taut.HeatSolver(mesh).compute_distance(7))
+    assert not np.array_equal(loaded.compute_distance(7), taut.HeatSolver(elephant).compute_distance(7))
 
 
-def test_solvers_made_of_solvers_pickle(mesh):
-    moved = mesh.with_positions(1.5 * mesh.positions + 1)
-    first = solver_with_other_options(mesh)
+def test_solvers_made_of_solvers_pickle(elephant):
+    moved = elephant.with_positions(1.5 * elephant.positions + 1)
+    first = solver_with_other_options(elephant)
     retimed = first.with_time_step(0.01)
     for solver in (retimed, first.with_mesh(moved), first.with_mesh(moved).with_time_step(0.01), retimed.with_mesh(moved)):
         loaded = pickle.loads(pickle.dumps(solver))
         assert loaded.time_step == solver.time_step
         assert np.array_equal(loaded.compute_distance(7), solver.compute_distance(7))
-        assert loaded.with_mesh(mesh).time_step == solver.with_mesh(mesh).time_step
+        assert loaded.with_mesh(elephant).time_step == solver.with_mesh(elephant).time_step
 
 
 # ------------------------------------------------------------------------------------------------- Threads, processes
@@ -152,8 +148,8 @@ def test_dask_runs_in_other_processes(client):
     assert os.getpid() not in processes
 
 
-def test_dask_spreads_meshes(client, example):
-    paths = [str(real_meshes.path(name)) for name in ("elephant.off", "fandisk.off", "knot2.off")]
+def test_dask_spreads_meshes(client, example, cgal_meshes):
+    paths = [str(cgal_meshes / name) for name in ("elephant.off", "fandisk.off", "camel.off")]
     means = client.gather([client.submit(example.mean_distance, path, 5) for path in paths])
     assert means == [example.mean_distance(path, 5) for path in paths]
     assert len(set(means)) == len(means)
@@ -262,8 +258,8 @@ def listening_addresses(processes):
 linux_only = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="looks into /proc")
 
 
-def test_the_example_as_it_is_run():
-    meshes = [real_meshes.path("elephant.off"), real_meshes.path("fandisk.off")]
+def test_the_example_as_it_is_run(cgal_meshes):
+    meshes = [cgal_meshes / "elephant.off", cgal_meshes / "fandisk.off"]
     with start_example(*meshes, "--sources", 80) as process:
         told = process.communicate(timeout=120)[0]
     assert process.returncode == 0, told
@@ -272,8 +268,8 @@ def test_the_example_as_it_is_run():
 
 
 @linux_only
-def test_ctrl_c_ends_the_example_and_its_workers():
-    with start_example(real_meshes.path("fandisk.off"), "--sources", 20_000) as process:
+def test_ctrl_c_ends_the_example_and_its_workers(cgal_meshes):
+    with start_example(cgal_meshes / "fandisk.off", "--sources", 20_000) as process:
         first = process.stdout.readline()
         assert first == "32 of 20000 sources\n", first + process.stdout.read()
         running = processes_of(process.pid)
