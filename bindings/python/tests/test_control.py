@@ -103,7 +103,7 @@ def test_another_thread_cancels(bunny):
     control = taut.Control()
     threading.Timer(0.1, control.cancel).start()
     with pytest.raises(taut.Cancelled):
-        taut.ExactSolver(bunny).distance_rows(range(1000), control=control)
+        taut.ExactSolver(bunny).distance_rows(range(100), control=control)
 
 
 def test_memory_is_limited(exact):
@@ -201,9 +201,9 @@ exact = taut.ExactSolver(mesh)
 control = taut.Control()
 worst = 0.0
 calls = [
-    lambda: exact.distance_rows(range(1000)),
-    lambda: exact.distance_rows(range(1000), threads=1, control=control),
-    lambda: exact.distance_rows(range(1000), progress=lambda share: None),
+    lambda: exact.distance_rows(range(100)),
+    lambda: exact.distance_rows(range(100), threads=1, control=control),
+    lambda: exact.distance_rows(range(100), progress=lambda share: None),
     lambda: [exact.field(i, allow_partial=True) for i in range(1000)],
     lambda: [taut.HeatSolver(mesh) for i in range(1000)],
 ]
@@ -241,7 +241,7 @@ def test_ctrl_c_ends_a_program(cgal_meshes, run_python):
 import os, signal, taut, threading
 exact = taut.ExactSolver(taut.Mesh.read({path!r}))
 threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
-exact.distance_rows(range(1000))
+exact.distance_rows(range(100))
 """
     told = run_python(program)
     assert told.returncode == -signal.SIGINT

@@ -53,6 +53,15 @@ def test_copies_tell_the_same_to_the_bit(elephant, place, again):
     assert same(tell(thing), tell(other))
 
 
+def test_a_solver_that_moved_pickles(elephant):
+    moved = elephant.with_positions(elephant.positions * (1, 1.3, 1))
+    solver = taut.HeatSolver(elephant, laplacian="plain").with_mesh(moved)
+    again = pickle.loads(pickle.dumps(solver))
+    assert again.mesh == moved
+    np.testing.assert_allclose(again.compute_distance(5), solver.compute_distance(5), rtol=1e-9)
+    assert again.report.flips == 0
+
+
 @pytest.mark.parametrize("kind", ["Mesh", "Sources", "Targets", "TimeStep", "Curves"])
 def test_values_are_equal(elephant, kind):
     for thing, _ in made_of(elephant):

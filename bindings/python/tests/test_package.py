@@ -2,9 +2,7 @@
 
 import importlib.util
 import os
-import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import sysconfig
@@ -15,7 +13,6 @@ import pytest
 import taut
 from taut import _native
 
-PACKAGE = pathlib.Path(taut.__file__).parent
 
 
 @pytest.fixture(scope="module")
@@ -80,7 +77,7 @@ def mypy(*arguments):
 
 
 def test_types(project):
-    checked = mypy("--config-file", project / "pyproject.toml", PACKAGE)
+    checked = mypy("--config-file", project / "pyproject.toml", project / "src/taut")
     assert checked.returncode == 0, checked.stdout
 
 
@@ -108,7 +105,8 @@ def blocks(path):
 def test_code_of_the_pages_runs(root, cgal_meshes, tmp_path, page, run_python):
     program = blocks(root / page)
     assert program or page == "README.md"
-    shutil.copy(cgal_meshes / "elephant.off", tmp_path / "elephant.off")
+    (tmp_path / "elephant.off").symlink_to(cgal_meshes / "elephant.off")
+    (tmp_path / "data").symlink_to(root / "data")
     told = run_python(f"import os; os.chdir({str(tmp_path)!r})\n{program}")
     assert told.returncode == 0, told.stderr
     said = re.findall(r"print\(.*\)  # (.+)", program)
