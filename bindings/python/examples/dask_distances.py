@@ -3,12 +3,13 @@
     pip install taut dask distributed
     python dask_distances.py bunny.obj horse.obj --sources 200 --workers 4
 
-A solver pickles: by its mesh and options, and each process prepares it once on arrival. Calls give up the interpreter lock, and
-every way of spreading them gives the numbers of a loop, to the bit. On a cluster of machines the same runs with one other line:
+A solver pickles by its mesh and options, and each process prepares it once on arrival. Calls give up the interpreter lock.
+Every way of spreading them gives the numbers of a loop, to the bit. On a cluster of machines the same runs with another client:
 
-    client = Client("scheduler:8786")  # started there by `dask scheduler`, and `dask worker scheduler:8786 --nthreads 1`
+    # There `dask scheduler` has been started, and on each machine `dask worker scheduler:8786 --nworkers 8 --nthreads 1`.
+    client = Client("scheduler:8786")
 
-Without Dask, with `solver` and `blocks` as below,
+Without Dask, with a list of blocks of sources,
 
     with concurrent.futures.ThreadPoolExecutor(4) as pool:  # threads share the solver, nothing is copied
         rows = np.vstack(list(pool.map(lambda block: solver.distance_rows(block, threads=1), blocks)))

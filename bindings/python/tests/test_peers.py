@@ -1,9 +1,9 @@
 """taut beside pygeodesic, libigl and potpourri3d, in one run, on real meshes that libigl reads for all of them.
 
-docs/witnesses.md tells which program is right where they disagree. It is why meshes whose vertices or edges are not manifold
-are left out (pygeodesic does not pass where two fans meet, the others refuse or differ), louvre_cad as well (from its vertex
-4128 pygeodesic says 1.2e-9 more than the paths of that length which it draws itself, and libigl agrees with taut; from 3117 it
-is libigl), and why libigl is not asked about the exact distances of mannequin-devil, where it loses eight digits.
+docs/witnesses.md tells which program is right where they disagree. So meshes whose vertices or edges are not manifold are
+left out (pygeodesic does not pass where two fans meet, the others refuse or differ); louvre_cad, where from vertex 4128
+pygeodesic says 1.2e-9 more than the length of the path that it draws itself, which is taut's and libigl's distance, and from
+3117 libigl says 2.8e-8 more; and for libigl the exact distances of mannequin-devil, where it loses eight digits.
 """
 
 import functools
@@ -75,7 +75,7 @@ def parts(name):
 
 
 def pygeodesic_distances(name, sources, targets=None):
-    """Distances and nearest sources; +inf and -1 out of reach, about which it is not asked: there it reads stray memory."""
+    """Distances and nearest sources; +inf and -1 out of reach, where it is not asked since it reads stray memory."""
     part = parts(name)
     targets = np.arange(len(part)) if targets is None else np.array(targets)
     reached = np.isin(part[targets], part[sources])
@@ -298,8 +298,10 @@ def test_isolines_are_those_of_potpourri3d_and_libigl(name):
 
 
 def flat_heat(name, sources):
-    """The heat method in 20 lines of scipy, on potpourri3d's cotangents and areas: t = mean edge², no flow at boundaries, and
-    distances that are 0 at the sources."""
+    """The heat method in 20 lines of scipy, on potpourri3d's cotangents and areas.
+
+    t = mean edge², no flow at boundaries, and distances that are 0 at the sources.
+    """
     positions, triangles = arrays(name)
     ends = positions[potpourri3d.edges(positions, triangles)]
     t = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).mean() ** 2
@@ -353,8 +355,8 @@ def heat_difference(name, **options):
     return np.abs(ours - (theirs - theirs[source]))[reached].max() / ours[reached].max()
 
 
-# potpourri3d adds 1e-6 to the diagonal of its Laplacian and lengthens edges by 1e-5 of their mean: 1.4e-3 at most here. A time
-# step a tenth too long differs by 1.8e-3 at least, one half as long again by 8e-3.
+# potpourri3d adds 1e-6 to the diagonal of its Laplacian and lengthens edges by 1e-5 of their mean: 1.4e-3 at most here.
+# A time step a tenth too long differs by 1.8e-3 at least, one half as long again by 8e-3.
 ROBUST = 1.6e-3
 HEAT = [*CLOSED, *OPEN]
 
