@@ -39,7 +39,7 @@ def reals(data: npt.ArrayLike, name: str, width: int | None = None) -> AnyArray:
 
     With `width` it has rows of so many numbers, without it is one-dimensional.
     """
-    array = np.asarray(data)
+    array = _array(data, name)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name} must be real numbers, not {array.dtype}")
     return _readable(_shaped(array, name, width), _REALS, np.float64)
@@ -47,12 +47,18 @@ def reals(data: npt.ArrayLike, name: str, width: int | None = None) -> AnyArray:
 
 def indices(data: npt.ArrayLike, name: str, width: int | None = None) -> AnyArray:
     """An array of indices that C can read: `data` itself if it can, else a copy. Shaped as by `reals`."""
-    array = np.asarray(data)
+    array = _array(data, name)
     if array.size == 0:
         array = array.astype(np.int64)
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name} must be integers, not {array.dtype}")
     return _readable(_shaped(array, name, width), _INDICES, np.int64)
+
+
+def _array(data: npt.ArrayLike, name: str) -> AnyArray:
+    if isinstance(data, np.ma.MaskedArray) and np.ma.is_masked(data):
+        raise InvalidArgument(f"{name} has masked elements: fill them, values at vertices with NaN")
+    return np.asarray(data)
 
 
 def _shaped(array: AnyArray, name: str, width: int | None) -> AnyArray:
@@ -74,6 +80,8 @@ def _readable(array: AnyArray, types: _Types, fallback: type[Any]) -> AnyArray:
 
 def _has_rows(array: AnyArray) -> bool:
     """Whether the rows are whole, apart from each other and in ascending order."""
+    if array.size == 0:
+        return True
     width = array.shape[1] if array.ndim == 2 else 1
     is_whole = width <= 1 or array.strides[1] == array.itemsize
     return is_whole and (array.shape[0] <= 1 or array.strides[0] >= width * array.itemsize)

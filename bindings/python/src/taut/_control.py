@@ -18,6 +18,7 @@ from . import _native
 from ._errors import Error, check
 from ._handle import Handle
 from ._native import library
+from ._options import counted
 
 #: What the keyword argument ``progress`` takes: True for a bar of tqdm, or a function that is told the share that is done,
 #: in [0, 1], and returns True to cancel.
@@ -41,15 +42,19 @@ def _turns(tell: Callable[[float], bool | None] | None, thrown: _Thrown) -> Gene
     its ``try``, so that nothing is lost.
     """
     answer = 0
+    is_telling = False
     while True:
         try:
             while True:
                 share = yield answer
                 if tell and not answer:
+                    is_telling = True
                     answer = int(bool(tell(share)))
-        except GeneratorExit:
-            return
+                    is_telling = False
         except BaseException as error:
+            if isinstance(error, GeneratorExit) and not is_telling:
+                return
+            is_telling = False
             answer = 1
             thrown.thread = threading.get_ident()
             thrown.error = error
@@ -107,11 +112,10 @@ class Control:
         check(library.taut_control_set_callback(self._handle.pointer, self._callback, None))
         if time_limit is not None:
             # To C 0 means no limit.
-            check(library.taut_control_set_time_limit(self._handle.pointer, time_limit if time_limit != 0 else 1e-9))
+            check(library.taut_control_set_time_limit(self._handle.pointer, ctypes.c_double(time_limit or 1e-9)))
         if memory_limit is not None:
-            if memory_limit < 0:
-                raise ValueError("memory_limit is negative")
-            check(library.taut_control_set_memory_limit(self._handle.pointer, max(memory_limit, 1)))
+            limit = max(counted(memory_limit, "memory_limit"), 1)
+            check(library.taut_control_set_memory_limit(self._handle.pointer, limit))
 
     def cancel(self) -> None:
         """Ask the calls that use this control to end with `Cancelled`, at their next check."""
@@ -149,6 +153,8 @@ class watched:
         if control is not None:
             if progress or time_limit is not None:
                 raise TypeError("progress and time_limit are the control's own: give them to it")
+            if not isinstance(control, Control):
+                raise TypeError(f"control must be a taut.Control, not {type(control).__name__}")
         elif progress or time_limit is not None or not self._is_elsewhere:
             if progress is True:
                 self._bar = _Bar()

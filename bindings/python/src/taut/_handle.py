@@ -25,7 +25,8 @@ class Handle:
         self.pointer = ctypes.POINTER(kind)()
 
     def __del__(self) -> None:
-        self._free(self.pointer)
+        if hasattr(self, "pointer"):  # else Ctrl-C came while it was made
+            self._free(self.pointer)
 
 
 class Owner:

@@ -14,8 +14,9 @@ from ._control import Control, Progress, watched
 from ._errors import Error, check, error_of
 from ._handle import Handle, Owner, made
 from ._native import Status, library
+from ._options import counted
 from .curves import Curves, curves_made
-from .mesh import Mesh
+from .mesh import Mesh, pointer_of
 from .sources import SourcesLike, TargetsLike, pointer_to, sources_of, targets_of
 
 
@@ -152,7 +153,7 @@ class ExactSolver(Owner):
 
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
-        self._handle = made(self._kind, library.taut_exact_new, mesh._pointer)
+        self._handle = made(self._kind, library.taut_exact_new, pointer_of(mesh))
 
     def compute_distance(
         self,
@@ -245,9 +246,10 @@ class ExactSolver(Owner):
         starts = input_indices(() if sets is None else sets, "sets")
         rows = len(places) if starts.count == 0 else starts.count - 1
         result = real_output(out, (rows, self.mesh.vertex_count))
+        workers = counted(threads, "threads")
         with watched(progress, time_limit, control) as watch:
             compute = library.taut_exact_distance_rows
-            check(compute(self._pointer, pointer_to(places), starts, threads, watch, output(result)))
+            check(compute(self._pointer, pointer_to(places), starts, workers, watch, output(result)))
         return result
 
     def distances_within(
@@ -266,8 +268,9 @@ class ExactSolver(Owner):
         """
         from_ = pointer_to(sources_of(sources))
         make = library.taut_exact_distances_within
+        limit, workers = ctypes.c_double(radius), counted(threads, "threads")
         with watched(progress, time_limit, control) as watch:
-            handle = made(_native.taut_sparse_distances, make, self._pointer, from_, radius, threads, watch)
+            handle = made(_native.taut_sparse_distances, make, self._pointer, from_, limit, workers, watch)
         sparse = handle.pointer
         rows, count = library.taut_sparse_distances_row_count(sparse), library.taut_sparse_distances_count(sparse)
         return SparseDistances(
@@ -297,6 +300,7 @@ class ExactSolver(Owner):
         distances : (count,) float64
             How far each was when it was taken.
         """
+        count = counted(count, "count")
         vertices, distances = np.empty(count, np.int64), np.empty(count)
         from_ = pointer_to(sources_of(sources))
         with watched(progress, time_limit, control) as watch:

@@ -14,8 +14,8 @@ from ._control import Control, Progress, watched
 from ._errors import check
 from ._handle import Handle, Owner, made
 from ._native import Laplacian, Shift, Solver, library
-from ._options import choice
-from .mesh import Mesh, TimeStep, TimeStepLike, time_step_of
+from ._options import choice, counted
+from .mesh import Mesh, TimeStep, TimeStepLike, pointer_of, time_step_of
 from .sources import SourcesLike, pointer_to, sources_of
 
 
@@ -155,9 +155,9 @@ class HeatSolver(Owner):
             shift=choice(Shift, shift, "shift"),
             solver=choice(Solver, solver, "solver"),
         )
-        words = {"boundary": boundary, "laplacian": laplacian, "shift": shift, "solver": solver}
+        words = {"time_step": step, "boundary": boundary, "laplacian": laplacian, "shift": shift, "solver": solver}
         with watched(progress, time_limit, control) as watch:
-            handle = made(self._kind, library.taut_heat_new, mesh._pointer, ctypes.byref(options), watch)
+            handle = made(self._kind, library.taut_heat_new, pointer_of(mesh), ctypes.byref(options), watch)
         self._set(handle, mesh, step, words)
 
     def _set(self, handle: Handle, mesh: Mesh, step: TimeStep, words: dict[str, Any]) -> HeatSolver:
@@ -207,7 +207,8 @@ class HeatSolver(Owner):
     ) -> HeatSolver:
         """The solver of the same triangles in another place, as `Mesh.with_positions` makes them.
 
-        It keeps the options, and the ordering of the matrices. C: ``taut_heat_with_mesh``.
+        It keeps the options of the first solver, whose time step is that of `HeatSolver`, not of `with_time_step`, and the
+        ordering of the matrices. C: ``taut_heat_with_mesh``.
 
         Raises
         ------
@@ -215,8 +216,8 @@ class HeatSolver(Owner):
             Where the mesh has other triangles.
         """
         with watched(progress, time_limit, control) as watch:
-            handle = made(self._kind, library.taut_heat_with_mesh, self._pointer, mesh._pointer, watch)
-        return HeatSolver.__new__(HeatSolver)._set(handle, mesh, self._step, self._words)
+            handle = made(self._kind, library.taut_heat_with_mesh, self._pointer, pointer_of(mesh), watch)
+        return HeatSolver.__new__(HeatSolver)._set(handle, mesh, self._words["time_step"], self._words)
 
     def compute_distance(
         self,
@@ -291,9 +292,10 @@ class HeatSolver(Owner):
         starts = input_indices(() if sets is None else sets, "sets")
         rows = len(places) if starts.count == 0 else starts.count - 1
         result = real_output(out, (rows, self.mesh.vertex_count))
+        workers = counted(threads, "threads")
         with watched(progress, time_limit, control) as watch:
             compute = library.taut_heat_distance_rows
-            check(compute(self._pointer, pointer_to(places), starts, threads, watch, output(result)))
+            check(compute(self._pointer, pointer_to(places), starts, workers, watch, output(result)))
         return result
 
     def residuals(
@@ -319,4 +321,5 @@ class HeatSolver(Owner):
 
 
 def _prepared(mesh: Mesh, step: TimeStep, words: dict[str, Any]) -> HeatSolver:
-    return HeatSolver(mesh, time_step=step, **words)
+    solver = HeatSolver(mesh, **words)
+    return solver if step == words["time_step"] else solver.with_time_step(step)

@@ -277,7 +277,7 @@ class Mesh(Owner):
         return cls._of(_polygons(input_reals(positions, "positions", 3), offsets, corners))
 
     @classmethod
-    def read(cls, path: str | os.PathLike[str]) -> Mesh:
+    def read(cls, path: str | bytes | os.PathLike[str]) -> Mesh:
         """Read an OBJ, OFF, PLY, STL or GLB file, by its suffix; .gz as well. C: ``taut_mesh_read``.
 
         Raises
@@ -287,7 +287,10 @@ class Mesh(Owner):
         FormatError
             Naming the line, vertex or face where it does not follow its format.
         """
-        return cls._of(made(cls._kind, library.taut_mesh_read, os.fspath(path).encode()))
+        name = os.fsencode(path)
+        if b"\0" in name:
+            raise ValueError("embedded null byte")  # as open() says; C would end the name there
+        return cls._of(made(cls._kind, library.taut_mesh_read, name))
 
     @classmethod
     def read_bytes(cls, data: bytes, format: str) -> Mesh:
@@ -395,6 +398,13 @@ class Mesh(Owner):
 
     def __reduce__(self) -> Any:
         return Mesh, (self.positions, self.triangles)
+
+
+def pointer_of(mesh: Mesh) -> Any:
+    """The pointer of what should be a mesh."""
+    if not isinstance(mesh, Mesh):
+        raise TypeError(f"mesh must be a taut.Mesh, not {type(mesh).__name__}")
+    return mesh._pointer
 
 
 def _size(face: Any) -> int:

@@ -26,13 +26,20 @@ def _same(one: tuple[AnyArray, ...], other: tuple[AnyArray, ...]) -> bool:
     return all(np.array_equal(a, b) for a, b in zip(one, other))
 
 
-def _set_places(structure: Any, places: Sources | Targets) -> None:
+def _show(structure: Any, **views: Any) -> None:
+    """Let C see arrays as the fields of their names. They live as long as the structure: it may have the only copy."""
+    for name, view in views.items():
+        setattr(structure, name, view)
+    structure.shown = [*getattr(structure, "shown", ()), *views.values()]
+
+
+def _show_places(structure: Any, places: Sources | Targets) -> None:
     """Let C see the vertices and points of `places`."""
     if len(places.vertices):
-        structure.vertices = input_indices(places.vertices, "vertices")
+        _show(structure, vertices=input_indices(places.vertices, "vertices"))
     if len(places.faces) or len(places.barycentrics):
-        structure.faces = input_indices(places.faces, "faces")
-        structure.barycentrics = input_reals(places.barycentrics, "barycentrics", 3)
+        barycentrics = input_reals(places.barycentrics, "barycentrics", 3)
+        _show(structure, faces=input_indices(places.faces, "faces"), barycentrics=barycentrics)
 
 
 def _view(array: AnyArray) -> AnyArray:
@@ -106,16 +113,17 @@ class Sources:
 
     def _c(self) -> _native.taut_sources:
         sources = _native.taut_sources()
-        _set_places(sources, self)
+        _show_places(sources, self)
         if len(self.offsets):
-            sources.offsets = input_reals(self.offsets, "offsets")
+            _show(sources, offsets=input_reals(self.offsets, "offsets"))
         if self.curves is not None:
-            sources.curve_offsets = input_indices(self.curves.offsets, "offsets")
-            sources.curve_faces = input_indices(self.curves.faces, "faces")
-            sources.curve_barycentrics = input_reals(self.curves.barycentrics, "barycentrics", 3)
-            sources.closed = self.curves.closed.astype(np.int32)
-            sources.curve_closed = input_indices(sources.closed, "closed")
-        sources.owner = self  # what C points to lives as long
+            _show(
+                sources,
+                curve_offsets=input_indices(self.curves.offsets, "offsets"),
+                curve_faces=input_indices(self.curves.faces, "faces"),
+                curve_barycentrics=input_reals(self.curves.barycentrics, "barycentrics", 3),
+                curve_closed=input_indices(self.curves.closed.astype(np.int32), "closed"),
+            )
         return sources
 
 
@@ -173,8 +181,7 @@ class Targets:
 
     def _c(self) -> _native.taut_targets:
         targets = _native.taut_targets()
-        _set_places(targets, self)
-        targets.owner = self
+        _show_places(targets, self)
         return targets
 
 

@@ -14,8 +14,9 @@ from ._control import Control, Progress, watched
 from ._errors import check
 from ._handle import Owner, made
 from ._native import TAUT_MAX_LEVELS, library
+from ._options import counted
 from .curves import Curves, curves_made
-from .mesh import Mesh
+from .mesh import Mesh, pointer_of
 from .sources import SourcesLike, TargetsLike, pointer_to, sources_of, targets_of
 
 
@@ -58,7 +59,7 @@ class Closest(Owner):
 
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
-        self._handle = made(self._kind, library.taut_closest_new, mesh._pointer)
+        self._handle = made(self._kind, library.taut_closest_new, pointer_of(mesh))
 
     def points(
         self,
@@ -121,12 +122,12 @@ def isolines(mesh: Mesh, values: npt.ArrayLike, levels: npt.ArrayLike) -> Curves
     O(F log n) time and what comes out.
     """
     wanted = input_reals(np.atleast_1d(np.asarray(levels)), "levels")
-    return curves_made(library.taut_isolines_new, mesh._pointer, input_reals(values, "values"), wanted)
+    return curves_made(library.taut_isolines_new, pointer_of(mesh), input_reals(values, "values"), wanted)
 
 
 def _levels(fill: Any, mesh: Mesh, values: npt.ArrayLike, how: Any, room: int) -> Reals:
     levels, written = np.empty(room), ctypes.c_size_t()
-    check(fill(mesh._pointer, input_reals(values, "values"), how, output(levels), ctypes.byref(written)))
+    check(fill(pointer_of(mesh), input_reals(values, "values"), how, output(levels), ctypes.byref(written)))
     return frozen(levels[: written.value].copy())
 
 
@@ -135,12 +136,13 @@ def even_levels(mesh: Mesh, values: npt.ArrayLike, count: int) -> Reals:
 
     Fewer where so many numbers do not fit in between, none where the field is constant. C: ``taut_even_levels``.
     """
+    count = counted(count, "count")
     return _levels(library.taut_even_levels, mesh, values, count, min(count, TAUT_MAX_LEVELS))
 
 
 def spaced_levels(mesh: Mesh, values: npt.ArrayLike, spacing: float) -> Reals:
     """The multiples of `spacing` between the least and the greatest value, for `isolines`. C: ``taut_spaced_levels``."""
-    return _levels(library.taut_spaced_levels, mesh, values, spacing, TAUT_MAX_LEVELS)
+    return _levels(library.taut_spaced_levels, mesh, values, ctypes.c_double(spacing), TAUT_MAX_LEVELS)
 
 
 def descent_paths(
@@ -174,4 +176,4 @@ def descent_paths(
     from_, places = None if sources is None else pointer_to(sources_of(sources)), pointer_to(targets_of(targets))
     with watched(progress, time_limit, control) as watch:
         make = library.taut_descent_paths_new
-        return curves_made(make, mesh._pointer, field, from_, places, watch)
+        return curves_made(make, pointer_of(mesh), field, from_, places, watch)
