@@ -21,7 +21,7 @@ from ._buffers import (
     output,
     real_output,
 )
-from ._errors import InvalidArgument, check
+from ._errors import Error, InvalidArgument, check
 from ._handle import Handle, Owner, made
 from ._native import Finding, Format, Reason, TimeFormula, TimeScale, library
 from ._options import choice
@@ -290,7 +290,12 @@ class Mesh(Owner):
         name = os.fsencode(path)
         if b"\0" in name:
             raise ValueError("embedded null byte")  # as open() says; C would end the name there
-        return cls._of(made(cls._kind, library.taut_mesh_read, name))
+        try:
+            return cls._of(made(cls._kind, library.taut_mesh_read, name))
+        except Error as error:
+            # C leaves the path to its caller.
+            message = f"{os.fsdecode(name)}: {error}"
+            raise type(error)(message, error.status, error.reason, error.element, error.index) from None
 
     @classmethod
     def read_bytes(cls, data: bytes, format: str) -> Mesh:
