@@ -43,7 +43,9 @@ class Surface:
         return int(self.faces[-1]) + 1 if len(self.faces) else 0
 
     def world(self, points):
-        """Points of the object's space in the world, but for the translation: (n, 3) float64."""
+        """Points of the object's space in the world, but for the translation: (n, 3)."""
+        if np.array_equal(self.linear, np.eye(3)):
+            return points
         x, y, z = points.T.astype(np.float64)[:, :, None]
         return x * self.linear[:, 0] + y * self.linear[:, 1] + z * self.linear[:, 2]
 
@@ -154,19 +156,23 @@ def selected_vertices(target, evaluated=False):
 
 
 def _selected_of_evaluated(target, selected):
-    """Modifiers carry an attribute along, and blend it where they make vertices between others."""
+    """Each selected vertex gets a random vector. Modifiers hand it on to copies, and blend it elsewhere."""
+    vectors = np.zeros((len(selected), 3), np.float32)
+    vectors[selected] = np.random.default_rng(0).random((np.count_nonzero(selected), 3), np.float32)
     attributes = target.data.attributes
-    carrier = attributes.new(_CARRIER, "FLOAT", "POINT")
+    carrier = attributes.new(_CARRIER, "FLOAT_VECTOR", "POINT")
     try:
-        carrier.data.foreach_set("value", selected.astype(np.float32))
+        carrier.data.foreach_set("vector", vectors.ravel())
         target.data.update()
         with _mesh_of(target, True) as mesh:
             carried = mesh.attributes.get(_CARRIER)
             if carried is None:
                 raise Problem(f"the modifiers of {target.name} do not tell which vertices were selected; use the 3D cursor")
-            return np.flatnonzero(_filled(carried.data, "value", np.float32) == 1)
+            found = _filled(carried.data, "vector", np.float32, 3)
     finally:
         attributes.remove(attributes[_CARRIER])
+    bits = [array.view("V12")[:, 0] for array in (found, vectors[selected])]
+    return np.flatnonzero(np.isin(*bits))
 
 
 def selected_faces(target, evaluated):
