@@ -9,6 +9,14 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, St
 from . import taut, work
 
 
+def _choice(layout, properties, name):
+    """Words side by side over the whole width, their title above."""
+    column = layout.column(align=True)
+    column.use_property_split = False
+    column.label(text=properties.bl_rna.properties[name].name)
+    column.row(align=True).prop(properties, name, expand=True)
+
+
 class Evaluated:
     evaluated: BoolProperty(
         name="Modifiers",
@@ -46,7 +54,7 @@ class Source:
     )
 
     def draw_source(self, layout):
-        layout.row().prop(self, "source", expand=True)
+        _choice(layout, self, "source")
 
 
 class Solver:
@@ -169,7 +177,7 @@ class Path:
     )
 
     def draw_path(self, layout):
-        layout.row().prop(self, "start", expand=True)
+        _choice(layout, self, "start")
 
 
 class Spread:

@@ -171,11 +171,15 @@ def _write_slots(mesh, materials, places):
 
 
 def add_curves(context, target, name, positions, closed, thickness):
-    """A curve object that moves with `target`: a list of (n, 3) positions in its space, and which of them are closed."""
+    """A curve object that moves with `target`: a list of (n, 3) positions in its space, and which of them are closed.
+
+    Curves with a thickness go without the points that are nearer than it: the tube would kink there.
+    """
     data = bpy.data.curves.new(name, "CURVE")
     data.dimensions = "3D"
     data.bevel_depth = thickness
     for points, is_closed in zip(positions, closed):
+        points = _spaced(points, thickness) if thickness > 0 else points
         spline = data.splines.new("POLY")
         spline.points.add(len(points) - 1)
         spline.points.foreach_set("co", np.append(points, np.ones((len(points), 1)), axis=1).ravel())
@@ -184,6 +188,17 @@ def add_curves(context, target, name, positions, closed, thickness):
     curves.parent = target
     _link(context, target, curves)
     return curves
+
+
+def _spaced(points, least):
+    """Those of the points that are so far apart along the curve, and both ends."""
+    way = np.append(0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+    chosen, last = [0], len(points) - 1
+    while (following := int(np.searchsorted(way, way[chosen[-1]] + least))) < last:
+        chosen.append(following)
+    if len(chosen) > 1 and way[last] - way[chosen[-1]] < least:
+        chosen.pop()
+    return points[[*chosen, last]] if last > 0 else points
 
 
 def select_vertices(context, mesh, vertices):

@@ -23,8 +23,8 @@ class Surface:
     ----------
     positions : (V, 3) float32
         In the object's own space.
-    triangles : (F, 3) int32
-    faces : (F,) int32
+    triangles : (F, 3) uint32
+    faces : (F,) uint32
         The face of Blender that each triangle is a part of, ascending.
     linear : (3, 3) float64
         Rotation, scale and shear of the object: with it positions are those of the world, but for a translation.
@@ -135,14 +135,17 @@ def _positions(mesh):
 
 
 def _triangles(mesh):
-    """The triangles, and the face of each. A face has three corners at least: as many times three as faces are triangles."""
+    """The triangles, and the face of each. A face has three corners at least: as many times three as faces are triangles.
+
+    Blender copies such indices at once into unsigned numbers, one by one into signed ones.
+    """
     if len(mesh.loops) == 3 * len(mesh.polygons):
         data = _generic(mesh, ".corner_vert")
-        corners = _filled(data, "value", np.int32) if data else _filled(mesh.loops, "vertex_index", np.int32)
-        return corners.reshape(-1, 3), np.arange(len(mesh.polygons), dtype=np.int32)
+        corners = _filled(data, "value", np.int32) if data else _filled(mesh.loops, "vertex_index", np.uint32)
+        return corners.view(np.uint32).reshape(-1, 3), np.arange(len(mesh.polygons), dtype=np.uint32)
     mesh.calc_loop_triangles()
     triangles = mesh.loop_triangles
-    return _filled(triangles, "vertices", np.int32, 3), _filled(triangles, "polygon_index", np.int32)
+    return _filled(triangles, "vertices", np.uint32, 3), _filled(triangles, "polygon_index", np.uint32)
 
 
 def selected_vertices(target, evaluated=False):

@@ -360,7 +360,7 @@ class Isolines(Case):
             ({"count": 15}, "taut.even_levels(m, v, 15)"),
             ({"levels": "SPACING", "spacing": 0.125}, "taut.spaced_levels(m, v, 0.125)"),
         ):
-            bpy.ops.taut.isolines(thickness=0.002, **properties)
+            bpy.ops.taut.isolines(**properties)
             made = [o for o in bpy.data.objects if o.type == "CURVE"][-1]
             found, (points, closed) = host.splines(made), self.lines(levels)
             self.assertEqual(len(found), len(points))
@@ -369,8 +369,22 @@ class Isolines(Case):
                 self.assertEqual(a_closed, b_closed)
             self.assertIs(made.parent, self.target)
             self.assertEqual(len(made.data["levels"]), len(found))
-            self.assertAlmostEqual(made.data.bevel_depth, 0.002)
             bpy.data.objects.remove(made)
+
+    def test_thick_lines_have_no_points_that_nearly_coincide(self):
+        bpy.ops.taut.isolines(thickness=0.01)
+        made = bpy.data.objects["Elephant isolines"]
+        self.assertAlmostEqual(made.data.bevel_depth, 0.01)
+        whole, closed = self.lines("taut.even_levels(m, v, 20)")
+        found = host.splines(made)
+        self.assertEqual(len(found), len(whole))
+        for (points, _), all_points in zip(found, whole):
+            self.assertSame(points[[0, -1]], all_points[[0, -1]])
+            self.assertTrue({p.tobytes() for p in points} <= {p.tobytes() for p in all_points})
+            way = np.append(0, np.cumsum(np.linalg.norm(np.diff(all_points.astype(float), axis=0), axis=1)))
+            places = [np.flatnonzero((all_points == p).all(axis=1))[0] for p in points]
+            if way[-1] > 0.02:
+                self.assertGreater(np.diff(way[places]).min(), 0.0099)
 
     def test_lines_move_with_the_object(self):
         self.target.scale = 1, 2, 3
@@ -400,7 +414,7 @@ class Path(Case):
     def test_a_path_is_that_of_the_library(self):
         target = self.elephant()
         select(target, [7, 1900])
-        bpy.ops.taut.path(thickness=0.01)
+        bpy.ops.taut.path()
         ((found, closed),) = host.splines(self.path())
         wanted = outside("taut.ExactSolver(taut.Mesh(p, t)).find_geodesic_path(7, 1900)", p=self.positions, t=self.triangles)
         self.assertFalse(closed)
