@@ -7,10 +7,11 @@ the call and comes out of it.
 
 from __future__ import annotations
 
-import contextlib
+import atexit
 import ctypes
 import threading
-from collections.abc import Generator, Iterator
+import time
+from collections.abc import Generator
 from typing import Any, Callable, Optional, Union
 
 from . import _native
@@ -34,40 +35,44 @@ class _Thrown:
 
 
 def _turns(tell: Callable[[float], bool | None] | None, thrown: _Thrown) -> Generator[int, float, None]:
-    """Answers the callback: 0 to go on, 1 to cancel. To be started by `next`.
+    """Answers the callback: 0 to go on, 1 to cancel, and 1 ever after. To be started by `next`.
 
     Handlers of signals run where a Python function begins, before it can catch what they raise. A generator waits inside
     its ``try``, so that nothing is lost.
     """
-    try:
-        share = yield 0
-        while True:
-            share = yield int(bool(tell(share))) if tell else 0
-    except GeneratorExit:
-        return
-    except BaseException as error:
-        thrown.thread = threading.get_ident()
-        thrown.error = error
-    yield 1
+    answer = 0
+    while True:
+        try:
+            while True:
+                share = yield answer
+                if tell and not answer:
+                    answer = int(bool(tell(share)))
+        except GeneratorExit:
+            return
+        except BaseException as error:
+            answer = 1
+            thrown.thread = threading.get_ident()
+            thrown.error = error
 
 
-@contextlib.contextmanager
-def _teller(progress: Progress | None) -> Iterator[Callable[[float], bool | None] | None]:
-    """What is told the progress: nothing, the caller's function, or a bar of tqdm, if that is installed."""
-    if progress is not True:
-        yield progress or None
-        return
-    try:
-        from tqdm.auto import tqdm
-    except ImportError:
-        yield None
-        return
-    with tqdm(total=1.0, bar_format="{l_bar}{bar}| {elapsed}<{remaining}") as bar:
+class _Bar:
+    """A bar of tqdm; nothing where that is not installed."""
 
-        def tell(share: float) -> None:
-            bar.update(share - bar.n)
+    def __init__(self) -> None:
+        try:
+            from tqdm.auto import tqdm
+        except ImportError:
+            self._bar: Any = None
+        else:
+            self._bar = tqdm(total=1.0, bar_format="{l_bar}{bar}| {elapsed}<{remaining}")
 
-        yield tell
+    def tell(self, share: float) -> None:
+        if self._bar is not None:
+            self._bar.update(share - self._bar.n)
+
+    def close(self) -> None:
+        if self._bar is not None:
+            self._bar.close()
 
 
 class Control:
@@ -130,25 +135,80 @@ class Control:
             raise error from None
 
 
-@contextlib.contextmanager
-def watched(progress: Progress | None, time_limit: float | None, control: Control | None) -> Iterator[Any]:
-    """The control of one long call as C takes it, and around the call what its callback throws.
+class watched:
+    """The context of one long call: gives its control as C takes it, and raises what its callback threw.
 
     Signals reach Python on the main thread only: elsewhere a call that is not watched has no control.
     """
-    if control is not None:
-        if progress or time_limit is not None:
-            raise TypeError("progress and time_limit are the control's own: give them to it")
-    elif progress or time_limit is not None or threading.current_thread() is threading.main_thread():
-        with _teller(progress) as tell, watched(None, None, Control(tell, time_limit)) as pointer:
-            yield pointer
-        return
-    else:
-        yield None
-        return
-    try:
-        yield control._handle.pointer
-    except Error:
-        control._rethrow()
-        raise
-    control._rethrow()
+
+    __slots__ = ("_bar", "_control", "_is_elsewhere")
+
+    def __init__(self, progress: Progress | None, time_limit: float | None, control: Control | None) -> None:
+        self._bar: _Bar | None = None
+        self._is_elsewhere = threading.current_thread() is not threading.main_thread()
+        if control is not None:
+            if progress or time_limit is not None:
+                raise TypeError("progress and time_limit are the control's own: give them to it")
+        elif progress or time_limit is not None or not self._is_elsewhere:
+            if progress is True:
+                self._bar = _Bar()
+                progress = self._bar.tell
+            control = Control(progress or None, time_limit)
+        self._control = control
+
+    def __enter__(self) -> Any:
+        if self._control is None:
+            return None
+        if self._is_elsewhere:
+            _ending.enter(self)
+        return self._control._handle.pointer
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: Any) -> None:
+        if self._bar is not None:
+            self._bar.close()
+        if self._control is None:
+            return
+        if self._is_elsewhere:
+            _ending.leave(self)
+        if error is None or isinstance(error, Error):
+            self._control._rethrow()
+
+    def cancel(self) -> None:
+        """Cancel the call."""
+        if self._control is not None:
+            self._control.cancel()
+
+
+class _Ending:
+    """Ends the calls that daemon threads are in when the program ends.
+
+    Python stops such a thread where it next asks for the interpreter. In a callback that is inside of the library, and
+    would abort the process. So the calls are cancelled, and their threads ended, before that.
+    """
+
+    def __init__(self) -> None:
+        self._calls: set[watched] = set()
+        self._has_begun = False
+        atexit.register(self._begin)
+
+    def enter(self, call: watched) -> None:
+        if self._has_begun:
+            raise SystemExit
+        self._calls.add(call)
+
+    def leave(self, call: watched) -> None:
+        self._calls.discard(call)
+        if self._has_begun:
+            raise SystemExit
+
+    def _begin(self) -> None:
+        self._has_begun = True
+        for call in list(self._calls):
+            call.cancel()
+        for _ in range(1000):
+            if not self._calls:
+                return
+            time.sleep(0.001)
+
+
+_ending = _Ending()

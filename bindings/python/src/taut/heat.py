@@ -121,7 +121,8 @@ class HeatSolver(Owner):
 
     Notes
     -----
-    About O(V^1.5) time and O(V log V) memory. It pickles by its mesh and options, and is prepared again on load.
+    About O(V^1.5) time and O(V log V) memory. It pickles by its mesh and options, and is prepared again on load: the same to
+    the bit or, if `with_mesh` made it, to rounding, as the order of the matrices then follows from all meshes before.
 
     Examples
     --------

@@ -397,9 +397,13 @@ class Mesh(Owner):
         return Mesh, (self.positions, self.triangles)
 
 
+def _size(face: Any) -> int:
+    return len(face) if hasattr(face, "__len__") else 0
+
+
 def _as_array(faces: Any) -> AnyArray | None:
     """An array of integers, or None where faces have different numbers of corners."""
-    if isinstance(faces, (list, tuple)) and len({len(face) for face in faces}) > 1:
+    if isinstance(faces, (list, tuple)) and len({_size(face) for face in faces}) > 1:
         return None
     array = np.asarray(faces)
     return None if array.dtype == object else array

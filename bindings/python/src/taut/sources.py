@@ -26,6 +26,15 @@ def _same(one: tuple[AnyArray, ...], other: tuple[AnyArray, ...]) -> bool:
     return all(np.array_equal(a, b) for a, b in zip(one, other))
 
 
+def _set_places(structure: Any, places: Sources | Targets) -> None:
+    """Let C see the vertices and points of `places`."""
+    if len(places.vertices):
+        structure.vertices = input_indices(places.vertices, "vertices")
+    if len(places.faces) or len(places.barycentrics):
+        structure.faces = input_indices(places.faces, "faces")
+        structure.barycentrics = input_reals(places.barycentrics, "barycentrics", 3)
+
+
 def _view(array: AnyArray) -> AnyArray:
     """The caller's array where it lies, but read-only."""
     return frozen(array.view())
@@ -96,19 +105,16 @@ class Sources:
         return f"Sources(vertices={len(self.vertices)}, points={len(self.faces)}, curves={curves})"
 
     def _c(self) -> _native.taut_sources:
-        sources = _native.taut_sources(
-            vertices=input_indices(self.vertices, "vertices"),
-            offsets=input_reals(self.offsets, "offsets"),
-            faces=input_indices(self.faces, "faces"),
-            barycentrics=input_reals(self.barycentrics, "barycentrics", 3),
-        )
+        sources = _native.taut_sources()
+        _set_places(sources, self)
+        if len(self.offsets):
+            sources.offsets = input_reals(self.offsets, "offsets")
         if self.curves is not None:
             sources.curve_offsets = input_indices(self.curves.offsets, "offsets")
             sources.curve_faces = input_indices(self.curves.faces, "faces")
             sources.curve_barycentrics = input_reals(self.curves.barycentrics, "barycentrics", 3)
-            closed = self.curves.closed.astype(np.int32)
-            sources.curve_closed = input_indices(closed, "closed")
-            sources.closed = closed
+            sources.closed = self.curves.closed.astype(np.int32)
+            sources.curve_closed = input_indices(sources.closed, "closed")
         sources.owner = self  # what C points to lives as long
         return sources
 
@@ -166,11 +172,8 @@ class Targets:
         return f"Targets(vertices={len(self.vertices)}, points={len(self.faces)})"
 
     def _c(self) -> _native.taut_targets:
-        targets = _native.taut_targets(
-            vertices=input_indices(self.vertices, "vertices"),
-            faces=input_indices(self.faces, "faces"),
-            barycentrics=input_reals(self.barycentrics, "barycentrics", 3),
-        )
+        targets = _native.taut_targets()
+        _set_places(targets, self)
         targets.owner = self
         return targets
 
