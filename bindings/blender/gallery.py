@@ -4,7 +4,7 @@ gallery.py ZIP MESH FOLDER [SAMPLES]
 
 Runs in a Python that has the module bpy 4.2 or newer, whose Cycles has a denoiser (Debian's Blender has none). ZIP is the add-on,
 MESH the Stanford bunny as OBJ, gzipped or not. Writes FOLDER/blender_isolines.png,
-blender_path.png and blender_voronoi.png.
+blender_path.png and blender_voronoi.png, 1200x900; docs/gallery has them scaled to 960x720.
 """
 
 import gzip

@@ -61,9 +61,11 @@ _running = None
 
 def stop():
     """Cancels the job that runs, if any, and waits for its end."""
+    global _running
     if _running is not None:
         _running.cancel()
         _running.wait()
+        _running = None
 
 
 class Operation:

@@ -46,8 +46,11 @@ class Surface:
         """Points of the object's space in the world, but for the translation: (n, 3)."""
         if np.array_equal(self.linear, np.eye(3)):
             return points
-        x, y, z = points.T.astype(np.float64)[:, :, None]
-        return x * self.linear[:, 0] + y * self.linear[:, 1] + z * self.linear[:, 2]
+        x, y, z = np.ascontiguousarray(points.T, np.float64)
+        out = np.empty((len(points), 3))
+        for i, (a, b, c) in enumerate(self.linear):
+            out[:, i] = a * x + b * y + c * z
+        return out
 
     def same_as(self, other):
         return all(
