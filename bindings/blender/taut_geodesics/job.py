@@ -83,9 +83,16 @@ class Operation:
         """Writes the result, in object mode."""
         raise NotImplementedError
 
+    def check(self, mesh):
+        """Refuses a mesh that the values cannot be written to."""
+        raise NotImplementedError
+
     def written_to(self, context, target):
-        """The object that values at vertices go to: a new one where modifiers make other vertices."""
-        return target if self.surface.is_object else results.copy_of_evaluated(context, target)
+        """The object that values go to: a new one where modifiers make other vertices."""
+        if not self.surface.is_object:
+            return results.copy_of_evaluated(context, target, self.check)
+        self.check(target.data)
+        return target
 
     @classmethod
     def poll(cls, context):

@@ -36,7 +36,6 @@ class TAUT_OT_distance(
     def finish(self, context, target, distances):
         target = self.written_to(context, target)
         mesh = target.data
-        self.check(mesh)
         reached = np.isfinite(distances)
         largest = distances[reached].max(initial=0)
         shares = distances / (largest or 1)
@@ -49,7 +48,8 @@ class TAUT_OT_distance(
         if self.colours:
             results.write_colours(mesh, self.attribute_name + "_colour", shares)
         if self.material:
-            results.write_ramp_material(mesh, f"{target.name} {self.attribute_name}", self.attribute_name, values[reached].max(initial=0))
+            name = f"{target.name} {self.attribute_name}"
+            results.write_ramp_material(mesh, name, self.attribute_name, values[reached].max(initial=0))
         _tell(self, f"Largest distance {largest:.6g}", np.count_nonzero(~reached))
 
 
@@ -120,15 +120,17 @@ class TAUT_OT_voronoi(
 
     def prepare(self, context, target):
         results.check_writable(target)
-        results.check_attribute(target.data, self.attribute, "INT")
+        self.check(target.data)
         self.places = surface.places(context, target, self.surface, self.source, self.evaluated)
         centres = surface.face_centres(target, self.evaluated)
         return partial(work.cells, self.surface, self.places, centres, self.space, self.solver())
 
+    def check(self, mesh):
+        results.check_attribute(mesh, self.attribute, "INT")
+
     def finish(self, context, target, result):
         of_vertices, of_faces = result
         target = self.written_to(context, target)
-        results.check_attribute(target.data, self.attribute, "INT")
         count = self.places.total
         results.write_cell_materials(target.data, of_faces, count)
         results.write_values(target.data, self.attribute, "INT", of_vertices.astype(np.int32))

@@ -36,10 +36,18 @@ def _attribute(attributes, name, kind):
     return found
 
 
-def copy_of_evaluated(context, target):
-    """A new object in the place of `target`: its mesh as modifiers make it. What is active and selected stays so."""
+def copy_of_evaluated(context, target, check):
+    """A new object in the place of `target`: its mesh as modifiers make it, unless `check` refuses that.
+
+    What is active and selected stays so.
+    """
     graph = context.evaluated_depsgraph_get()
     mesh = bpy.data.meshes.new_from_object(target.evaluated_get(graph), preserve_all_data_layers=True, depsgraph=graph)
+    try:
+        check(mesh)
+    except Problem:
+        bpy.data.meshes.remove(mesh)
+        raise
     mesh.name = f"{target.name} evaluated"
     copy = bpy.data.objects.new(mesh.name, mesh)
     copy.matrix_world = target.matrix_world
@@ -83,9 +91,14 @@ def write_colours(mesh, name, shares):
     mesh.update()
 
 
+_RAMP_NODES = {"Distance", "Range", "Unreached"}  # those that a later call sets
+
+
 def write_ramp_material(mesh, name, attribute, largest):
-    """A material that colours all faces by an attribute from 0 to `largest`. One of the name is kept, but for its range."""
-    material = bpy.data.materials.get(name) or _ramp_material(name)
+    """A material that colours all faces by an attribute from 0 to `largest`. One of an earlier call is kept, but for its range."""
+    material = bpy.data.materials.get(name)
+    if material is None or not material.use_nodes or not _RAMP_NODES <= set(material.node_tree.nodes.keys()):
+        material = _ramp_material(name)
     nodes = material.node_tree.nodes
     nodes["Distance"].attribute_name = attribute
     nodes["Range"].inputs["From Max"].default_value = largest

@@ -84,6 +84,23 @@ def select_in_order(target, vertices):
     bmesh.update_edit_mesh(target.data)
 
 
+def storing(name, kind):
+    """Geometry nodes that give the vertices an attribute."""
+    group = bpy.data.node_groups.new("Store", "GeometryNodeTree")
+    if hasattr(group, "interface"):
+        group.interface.new_socket("Geometry", in_out="INPUT", socket_type="NodeSocketGeometry")
+        group.interface.new_socket("Geometry", in_out="OUTPUT", socket_type="NodeSocketGeometry")
+    else:
+        group.inputs.new("NodeSocketGeometry", "Geometry")
+        group.outputs.new("NodeSocketGeometry", "Geometry")
+    store = group.nodes.new("GeometryNodeStoreNamedAttribute")
+    store.data_type = kind
+    store.inputs["Name"].default_value = name
+    group.links.new(group.nodes.new("NodeGroupInput").outputs[0], store.inputs["Geometry"])
+    group.links.new(store.outputs["Geometry"], group.nodes.new("NodeGroupOutput").inputs[0])
+    return group
+
+
 def values(target, name="geodesic_distance", dtype=np.float32):
     data = target.data.attributes[name].data
     out = np.empty(len(data), dtype)

@@ -5,6 +5,7 @@ import pathlib
 import sys
 import tempfile
 import time
+import types
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
@@ -208,6 +209,10 @@ class Distance(Case):
         for _ in range(2):
             bpy.ops.taut.distance(method="EXACT", material=True)
         self.assertEqual([m.name for m in target.data.materials], ["Mine", "Elephant geodesic_distance"])
+        bpy.data.materials.new("Elephant other")  # not of the add-on
+        bpy.ops.taut.distance(method="EXACT", material=True, attribute_name="other")
+        self.assertEqual(target.data.materials[2].name, "Elephant other.001")
+        bpy.ops.taut.distance(method="EXACT", material=True)
         nodes = target.data.materials[1].node_tree.nodes
         self.assertEqual(nodes["Distance"].attribute_name, "geodesic_distance")
         self.assertAlmostEqual(nodes["Range"].inputs["From Max"].default_value, values(target).max(), places=5)
@@ -331,6 +336,19 @@ class Modes(Case):
             bent = np.array([v.co[:] for v in copy.data.vertices])
             flat = np.linalg.norm(bent[:, None] - bent[[14, 15]], axis=2).min(axis=1)
             np.testing.assert_allclose(found, flat, atol=1e-5)
+
+    def test_a_copy_that_cannot_be_written_to_does_not_stay(self):
+        target = add(GRID, QUADS)
+        select(target, [0])
+        target.modifiers.new("Finer", "SUBSURF")
+        for operator, name, kind in ((bpy.ops.taut.distance, "geodesic_distance", "INT"),
+                                     (bpy.ops.taut.voronoi, "geodesic_cell", "FLOAT")):
+            modifier = target.modifiers.new("Store", "NODES")
+            modifier.node_group = host.storing(name, kind)
+            meshes = len(bpy.data.meshes)
+            self.assertRefused("already has an attribute", operator, evaluated=True)
+            self.assertEqual(len(bpy.data.meshes), meshes)
+            target.modifiers.remove(modifier)
 
     def test_a_remeshed_one_asks_for_the_cursor(self):
         target = add(GRID, QUADS)
@@ -569,11 +587,11 @@ class Panel(Case):
     def test_buttons_hand_on_every_setting(self):
         settings = bpy.context.scene.taut
         for cls in addon.operators.classes:
-            copied = {}
-            options.copy(settings, type("Sink", (), {"__setattr__": lambda _, name, value: copied.update({name: value})})(), cls)
+            copied = types.SimpleNamespace()
+            options.copy(settings, copied, cls)
             group, operator = cls.bl_idname.split(".")
             known = getattr(getattr(bpy.ops, group), operator).get_rna_type().properties.keys()
-            self.assertEqual(set(copied), set(known) - {"rna_type"})
+            self.assertEqual(set(vars(copied)), set(known) - {"rna_type"})
 
     def test_the_add_on_leaves_nothing_behind(self):
         addon.unregister()
