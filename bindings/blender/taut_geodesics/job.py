@@ -132,7 +132,8 @@ class Operation:
             return {"PASS_THROUGH"}
         self._end(context)
         try:
-            return self._write(context, self._unchanged(), self._job.outcome())
+            result = self._job.outcome()
+            return self._write(context, self._unchanged(), result)
         except (surface.Problem, taut.Error) as error:
             return self._refused(error)
 
