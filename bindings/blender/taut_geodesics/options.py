@@ -77,6 +77,14 @@ class Solver:
             ("VALUE", "Value", "A number of your own"),
         ],
     )
+    scale: EnumProperty(
+        name="Size",
+        description="The size that the formula is evaluated at, which matters because all but e² set an area to lengths",
+        items=[
+            ("PAPER", "Paper", "That for which the formulas were found: a bounding box with the diagonal 24.976"),
+            ("RAW", "As it is", "The mesh's own"),
+        ],
+    )
     factor: FloatProperty(name="Factor", description="Multiplies the formula", default=1, min=1e-6, soft_max=100)
     value: FloatProperty(
         name="Value", description="The time step, in units of length squared", default=1, min=0, precision=6
@@ -97,9 +105,10 @@ class Solver:
 
     def solver(self):
         """As plain data, for other threads."""
-        formula = self.time_step.lower()
-        is_value = formula == "value"
-        step = taut.TimeStep.value(self.value) if is_value else taut.TimeStep(formula, factor=self.factor)
+        if self.time_step == "VALUE":
+            step = taut.TimeStep.value(self.value)
+        else:
+            step = taut.TimeStep(self.time_step.lower(), self.scale.lower(), self.factor)
         return work.Solver(self.method, step, self.boundary, self.laplacian.lower())
 
     def draw_method(self, layout):
@@ -108,7 +117,11 @@ class Solver:
     def draw_heat(self, layout):
         layout.active = self.method == "HEAT"
         layout.prop(self, "time_step")
-        layout.prop(self, "value" if self.time_step == "VALUE" else "factor")
+        if self.time_step == "VALUE":
+            layout.prop(self, "value")
+        else:
+            layout.prop(self, "scale")
+            layout.prop(self, "factor")
         layout.prop(self, "boundary", slider=True)
         layout.prop(self, "laplacian")
 

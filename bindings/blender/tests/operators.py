@@ -72,6 +72,7 @@ class Distance(Case):
         cases = [
             ({"time_step": "MEAN_EDGE", "factor": 4}, ", time_step=taut.TimeStep('mean_edge', factor=4)"),
             ({"time_step": "SIGMA"}, ", time_step='sigma'"),
+            ({"time_step": "SIGMA", "scale": "RAW"}, ", time_step=taut.TimeStep('sigma', 'raw')"),
             ({"time_step": "MEAN_SIGMA"}, ", time_step='mean_sigma'"),
             ({"time_step": "MEDIAN_FIT"}, ", time_step='median_fit'"),
             ({"time_step": "MEDIAN_MEAN"}, ", time_step='median_mean'"),
