@@ -15,6 +15,7 @@ from ._errors import Error, check, error_of
 from ._handle import Handle, Owner, made
 from ._native import Status, library
 from ._options import counted
+from ._rows import RowSolver
 from .curves import Curves, curves_made
 from .mesh import Mesh, pointer_of
 from .sources import SourcesLike, TargetsLike, pointer_to, sources_of, targets_of
@@ -135,7 +136,7 @@ class ExactField(Owner):
         return f"ExactField(vertices={self._vertex_count}, final_radius={self.final_radius:g})"
 
 
-class ExactSolver(Owner):
+class ExactSolver(RowSolver):
     """A mesh prepared for exact distances; serves any number of calls, also at once. C: ``taut_exact``.
 
     Windows as by Mitchell, Mount and Papadimitriou (1987), in lists as by Qin et al. (2016).
@@ -150,6 +151,7 @@ class ExactSolver(Owner):
     """
 
     _kind = _native.taut_exact
+    _rows = library.taut_exact_distance_rows
 
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
@@ -212,45 +214,6 @@ class ExactSolver(Owner):
         with watched(progress, time_limit, control) as watch:
             handle = made(ExactField._kind, make, self._pointer, from_, ctypes.byref(options), watch)
         return ExactField(handle, self.mesh)
-
-    def distance_rows(
-        self,
-        sources: SourcesLike,
-        sets: npt.ArrayLike | None = None,
-        threads: int = 0,
-        out: AnyArray | None = None,
-        *,
-        progress: Progress | None = None,
-        time_limit: float | None = None,
-        control: Control | None = None,
-    ) -> AnyArray:
-        """The distances of every vertex from each of several sources, or sets of them. C: ``taut_exact_distance_rows``.
-
-        Parameters
-        ----------
-        sources : int, array_like of integers, or Sources
-        sets : (S + 1,) array_like of integers, optional
-            Row i is about the sources from ``sets[i]`` up to, not including, ``sets[i + 1]``. By default each source is a
-            set.
-        threads : int
-            How many threads compute rows; 0 for as many as the machine has. The distances are the same for any number.
-        out : (S, V) float64 or float32 array, optional
-            Is filled and returned; its rows may be any distance apart.
-
-        Returns
-        -------
-        (S, V) float64
-            The same, to the bit, as those of `field`.
-        """
-        places = sources_of(sources)
-        starts = input_indices(() if sets is None else sets, "sets")
-        rows = len(places) if starts.count == 0 else starts.count - 1
-        result = real_output(out, (rows, self.mesh.vertex_count))
-        workers = counted(threads, "threads")
-        with watched(progress, time_limit, control) as watch:
-            compute = library.taut_exact_distance_rows
-            check(compute(self._pointer, pointer_to(places), starts, workers, watch, output(result)))
-        return result
 
     def distances_within(
         self,

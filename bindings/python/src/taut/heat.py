@@ -6,15 +6,15 @@ import ctypes
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from . import _native
-from ._buffers import AnyArray, Indices, filled, input_indices, output, real_output
+from ._buffers import AnyArray, Indices, filled, output, real_output
 from ._control import Control, Progress, watched
 from ._errors import check
 from ._handle import Handle, Owner, made
 from ._native import Laplacian, Shift, Solver, library
-from ._options import choice, counted
+from ._options import choice
+from ._rows import RowSolver
 from .mesh import Mesh, TimeStep, TimeStepLike, pointer_of, time_step_of
 from .sources import SourcesLike, pointer_to, sources_of
 
@@ -90,7 +90,7 @@ class HeatField(Owner):
         return f"HeatField(vertices={self._vertex_count})"
 
 
-class HeatSolver(Owner):
+class HeatSolver(RowSolver):
     """The heat method prepared for a mesh and a time step; serves any number of calls, also at once. C: ``taut_heat``.
 
     Crane, Weischedel and Wardetzky, Geodesics in Heat, 2013; on intrinsic Delaunay triangles, Sharp and Crane, 2020.
@@ -133,6 +133,7 @@ class HeatSolver(Owner):
     """
 
     _kind = _native.taut_heat
+    _rows = library.taut_heat_distance_rows
 
     def __init__(
         self,
@@ -258,45 +259,6 @@ class HeatSolver(Owner):
         with watched(progress, time_limit, control) as watch:
             handle = made(HeatField._kind, library.taut_heat_field_new, self._pointer, from_, watch)
         return HeatField(handle, self.mesh)
-
-    def distance_rows(
-        self,
-        sources: SourcesLike,
-        sets: npt.ArrayLike | None = None,
-        threads: int = 0,
-        out: AnyArray | None = None,
-        *,
-        progress: Progress | None = None,
-        time_limit: float | None = None,
-        control: Control | None = None,
-    ) -> AnyArray:
-        """The distances of every vertex from each of several sources, or sets of them. C: ``taut_heat_distance_rows``.
-
-        Parameters
-        ----------
-        sources : int, array_like of integers, or Sources
-        sets : (S + 1,) array_like of integers, optional
-            Row i is about the sources from ``sets[i]`` up to, not including, ``sets[i + 1]``. By default each source is a
-            set.
-        threads : int
-            How many threads compute rows; 0 for as many as the machine has. The distances are the same for any number.
-        out : (S, V) float64 or float32 array, optional
-            Is filled and returned; its rows may be any distance apart.
-
-        Returns
-        -------
-        (S, V) float64
-            The same, to the bit, as those of `field`; half of its cost for each set.
-        """
-        places = sources_of(sources)
-        starts = input_indices(() if sets is None else sets, "sets")
-        rows = len(places) if starts.count == 0 else starts.count - 1
-        result = real_output(out, (rows, self.mesh.vertex_count))
-        workers = counted(threads, "threads")
-        with watched(progress, time_limit, control) as watch:
-            compute = library.taut_heat_distance_rows
-            check(compute(self._pointer, pointer_to(places), starts, workers, watch, output(result)))
-        return result
 
     def residuals(
         self,
