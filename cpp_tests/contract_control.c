@@ -98,6 +98,19 @@ static void callbacks(const taut_exact *exact) {
         check_interrupted(&it, TAUT_STATUS_CANCELLED);
     }
 
+    /* With a rest that outlasts the work it is told the first check and the end. */
+    seen = (witness){0};
+    it = new_job(exact, 0);
+    CHECK(taut_control_set_callback(it.control, watch, &seen) == TAUT_STATUS_OK);
+    CHECK(taut_control_set_callback_interval(it.control, INFINITY) == TAUT_STATUS_OK);
+    CHECK_FAILS(taut_control_set_callback_interval(it.control, -1), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    CHECK_FAILS(taut_control_set_callback_interval(it.control, NAN), TAUT_REASON_BAD_ARGUMENT, 0, 0);
+    work(&it);
+    CHECK(it.status == TAUT_STATUS_OK && seen.calls == 2 && seen.progress == 1);
+    CHECK(taut_control_progress(it.control) == 1);
+    taut_exact_field_free(it.field);
+    taut_control_free(it.control);
+
     /* Taken away again. */
     seen = (witness){0};
     it = new_job(exact, 0);

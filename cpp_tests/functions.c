@@ -26,6 +26,7 @@ CALL(control_new, MADE(control))
 CALL(control_set_time_limit, given->self.control, 1e9)
 CALL(control_set_memory_limit, given->self.control, 1u << 30)
 CALL(control_set_callback, given->self.control, NULL, NULL)
+CALL(control_set_callback_interval, given->self.control, 0.5)
 CALL(time_step_value, given->self.mesh, (taut_time_step){.factor = 1}, given->records[0])
 CALL(heat_new, given->self.mesh, given->heat_options, given->control, MADE(heat))
 CALL(heat_with_time_step, given->self.heat, (taut_time_step){.factor = 2}, given->control, MADE(heat))
@@ -103,6 +104,7 @@ const function functions[] = {
     {NAMED(control_set_time_limit), .self = CONTROL},
     {NAMED(control_set_memory_limit), .self = CONTROL},
     {NAMED(control_set_callback), .self = CONTROL},
+    {NAMED(control_set_callback_interval), .self = CONTROL},
     {NAMED(time_step_value), .self = MESH, .records = {sizeof(double)}},
     {NAMED(heat_new), .self = MESH, .makes = HEAT, .takes = TAKES_CONTROL | HEAT_OPTIONS},
     {NAMED(heat_with_time_step), .self = HEAT, .makes = HEAT, .takes = TAKES_CONTROL},

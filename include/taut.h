@@ -490,6 +490,17 @@ taut_status taut_control_set_memory_limit(const taut_control *control, size_t by
  */
 taut_status taut_control_set_callback(const taut_control *control, taut_callback callback, void *user);
 
+/**
+ * Lets the callback rest: from one time that it is called to the next at least so long goes by, but for the end of the work,
+ * at progress 1, which is always told. For a callback that is not done within a microsecond.
+ *
+ * - `control`: not NULL.
+ * - `seconds`: not negative; 0, which is the default, means that it is called at each check.
+ *
+ * Errors: TAUT_REASON_BAD_ARGUMENT where `seconds` is negative or NaN. Cost: O(1). Threads: any.
+ */
+taut_status taut_control_set_callback_interval(const taut_control *control, double seconds);
+
 /** Frees a control; NULL is fine. */
 void taut_control_free(taut_control *control);
 

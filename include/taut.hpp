@@ -355,6 +355,10 @@ public:
     void set_time_limit(std::chrono::duration<double> limit) const {
         check(taut_control_set_time_limit(get(), limit.count()));
     }
+    /// The least time between two calls of the callback; 0 means to call it at each check. C: taut_control_set_callback_interval.
+    void set_callback_interval(std::chrono::duration<double> interval) const {
+        check(taut_control_set_callback_interval(get(), interval.count()));
+    }
     /// 0 means none. C: taut_control_set_memory_limit.
     void set_memory_limit(std::size_t bytes) const { check(taut_control_set_memory_limit(get(), bytes)); }
 

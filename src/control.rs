@@ -36,7 +36,29 @@ struct State {
     cancelled: AtomicBool,
     progress_bits: AtomicU64,
     limits: Mutex<Limits>,
-    callback: Mutex<Option<Callback>>,
+    telling: Mutex<Telling>,
+}
+
+/// To whom progress is told, and how often.
+#[derive(Default)]
+struct Telling {
+    callback: Option<Callback>,
+    interval: Duration,
+    last: Option<Instant>,
+}
+
+impl Telling {
+    /// The callback, if it is to be told this progress.
+    fn due(&mut self, progress: f64) -> Option<Callback> {
+        if !self.interval.is_zero() && progress < 1.0 {
+            let now = Instant::now();
+            if self.last.is_some_and(|last| now - last < self.interval) {
+                return None;
+            }
+            self.last = Some(now);
+        }
+        self.callback.take()
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -97,8 +119,14 @@ impl Control {
     /// Tells the progress to `callback` at each checkpoint, on the thread that makes the call and never inside another
     /// run of the callback; `Break` cancels the work.
     pub fn set_callback(&self, callback: impl FnMut(f64) -> ControlFlow<()> + Send + 'static) {
-        let former = lock(&self.0.callback).replace(Box::new(callback));
+        let former = lock(&self.0.telling).callback.replace(Box::new(callback));
         drop(former); // here, with the lock open: the drop of a closure may use this control
+    }
+
+    /// Lets the callback rest: from one time that it is told to the next at least so long goes by, but for the end of the
+    /// work, at progress 1. For a callback that costs more than a microsecond; `Duration::ZERO`, the default, is no rest.
+    pub fn set_callback_interval(&self, interval: Duration) {
+        lock(&self.0.telling).interval = interval;
     }
 
     /// Reports progress. For the thread of the call only, since it runs the callback.
@@ -106,14 +134,15 @@ impl Control {
         let progress = progress.clamp(0.0, 1.0);
         self.0.progress_bits.store(progress.to_bits(), Ordering::Relaxed);
         // Taken out while it runs, so that it may use this control, even for another call.
-        let taken = lock(&self.0.callback).take();
+        let taken = lock(&self.0.telling).due(progress);
         if let Some(mut callback) = taken {
             if callback(progress).is_break() {
                 self.cancel();
             }
-            let mut slot = lock(&self.0.callback);
-            if slot.is_none() {
-                *slot = Some(callback);
+            // Another one that was set meanwhile stays; this one is dropped with the lock open.
+            let mut telling = lock(&self.0.telling);
+            if telling.callback.is_none() {
+                telling.callback = Some(callback);
             }
         }
     }

@@ -293,6 +293,26 @@ fn cancelled_at(n: usize) -> Control {
 }
 
 #[test]
+fn a_callback_that_rests_is_told_the_end() {
+    let told_with = |interval: Duration| {
+        let control = Control::new();
+        let told = Arc::new(Mutex::new(Vec::new()));
+        let teller = Arc::clone(&told);
+        control.set_callback_interval(interval);
+        control.set_callback(move |progress| {
+            teller.lock().unwrap().push(progress);
+            ControlFlow::Continue(())
+        });
+        cases()[1].field(&ExactOptions::default(), &control).unwrap();
+        drop(control);
+        Arc::into_inner(told).unwrap().into_inner().unwrap()
+    };
+    let always = told_with(Duration::ZERO);
+    assert!(always.len() > 2);
+    assert_eq!(told_with(Duration::MAX), [always[0], 1.0]);
+}
+
+#[test]
 fn a_callback_that_breaks_cancels_at_any_checkpoint() {
     for case in cases() {
         let full = case.full();

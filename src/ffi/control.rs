@@ -1,7 +1,7 @@
 //! `taut_control`: progress, cancellation and limits.
 
 use super::guard::{free, guard, guard_new, guard_value, required};
-use crate::{Control, Error, Reason, Status};
+use crate::{Control, Error, Reason, Result, Status};
 use libc::{c_int, c_void};
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -75,19 +75,19 @@ pub extern "C" fn taut_control_progress(control: Option<&taut_control>) -> f64 {
 pub extern "C" fn taut_control_set_time_limit(control: Option<&taut_control>, seconds: f64) -> Status {
     guard(|| {
         let control = required(control, "control")?;
-        let limit = match Duration::try_from_secs_f64(seconds) {
-            _ if seconds == 0.0 => Duration::MAX,
-            Ok(limit) => limit,
-            // More than 500 billion years.
-            Err(_) if seconds > 0.0 => Duration::MAX,
-            Err(_) => {
-                let message = format!("`seconds` is {seconds}, which is not a time");
-                return Err(Error::new(Reason::BadArgument, message));
-            }
-        };
-        control.0.set_time_limit(limit);
+        control.0.set_time_limit(if seconds == 0.0 { Duration::MAX } else { duration(seconds)? });
         Ok(())
     })
+}
+
+/// A number of seconds of the caller's.
+fn duration(seconds: f64) -> Result<Duration> {
+    match Duration::try_from_secs_f64(seconds) {
+        Ok(duration) => Ok(duration),
+        // More than 500 billion years.
+        Err(_) if seconds > 0.0 => Ok(Duration::MAX),
+        Err(_) => Err(Error::new(Reason::BadArgument, format!("`seconds` is {seconds}, which is not a time"))),
+    }
 }
 
 /// Limits the memory that a call takes beyond its mesh and what was prepared: it ends with TAUT_REASON_MEMORY_LIMIT at its
@@ -131,6 +131,21 @@ pub unsafe extern "C" fn taut_control_set_callback(
             let answer = callback.map_or(0, |callback| unsafe { callback(progress, user.pointer()) });
             if answer == 0 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
         });
+        Ok(())
+    })
+}
+
+/// Lets the callback rest: from one time that it is called to the next at least so long goes by, but for the end of the work,
+/// at progress 1, which is always told. For a callback that is not done within a microsecond.
+///
+/// - `control`: not NULL.
+/// - `seconds`: not negative; 0, which is the default, means that it is called at each check.
+///
+/// Errors: TAUT_REASON_BAD_ARGUMENT where `seconds` is negative or NaN. Cost: O(1). Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn taut_control_set_callback_interval(control: Option<&taut_control>, seconds: f64) -> Status {
+    guard(|| {
+        required(control, "control")?.0.set_callback_interval(duration(seconds)?);
         Ok(())
     })
 }

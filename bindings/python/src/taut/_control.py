@@ -2,7 +2,7 @@
 
 A call of the library runs without the interpreter lock, and consults its control about every millisecond. There Python gets
 a turn: the callback tells the progress, and lets the handlers of signals run on the main thread. What either raises cancels
-the call and comes out of it.
+the call and comes out of it. Where there is no progress to tell, Python takes a turn every hundredth of a second only.
 """
 
 from __future__ import annotations
@@ -24,6 +24,9 @@ from ._options import counted
 #: in [0, 1], and returns True to cancel.
 Progress = Union[bool, Callable[[float], Optional[bool]]]
 
+
+#: Seconds between turns for signals alone. Each waits for the interpreter, up to 5 ms beside a thread that computes in it.
+_TURN = 0.01
 
 _callback = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double)
 
@@ -110,6 +113,8 @@ class Control:
         self._handle = Handle(_native.taut_control)
         check(library.taut_control_new(ctypes.byref(self._handle.pointer)))
         check(library.taut_control_set_callback(self._handle.pointer, self._callback, None))
+        if progress is None:
+            check(library.taut_control_set_callback_interval(self._handle.pointer, _TURN))
         if time_limit is not None:
             # To C 0 means no limit.
             check(library.taut_control_set_time_limit(self._handle.pointer, ctypes.c_double(time_limit or 1e-9)))

@@ -422,6 +422,7 @@ PROTOTYPES: dict[str, tuple[Any, ...]] = {
     "taut_control_set_time_limit": (taut_status, _control, c_double),
     "taut_control_set_memory_limit": (taut_status, _control, c_size_t),
     "taut_control_set_callback": (taut_status, _control, taut_callback, c_void_p),
+    "taut_control_set_callback_interval": (taut_status, _control, c_double),
     "taut_control_free": (None, _control),
     "taut_mesh_new": (taut_status, taut_input, taut_input, POINTER(_mesh)),
     "taut_mesh_new_polygons": (taut_status, taut_input, taut_input, taut_input, POINTER(_mesh)),
