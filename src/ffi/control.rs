@@ -108,8 +108,8 @@ pub extern "C" fn taut_control_set_memory_limit(control: Option<&taut_control>, 
     })
 }
 
-/// Lets a call that uses the control tell its progress to a function of yours, at each of its checks, on the thread that
-/// makes the call and no other.
+/// Lets a call that uses the control tell its progress to a function of yours, at each of its checks or, after
+/// `taut_control_set_callback_interval`, less often; on the thread that makes the call and no other.
 ///
 /// - `control`: not NULL.
 /// - `callback`: may use the control; it is not called again while it runs. NULL means none.

@@ -15,7 +15,7 @@ from ._errors import Error, check, error_of
 from ._handle import Handle, Owner, made
 from ._native import Status, library
 from ._options import counted
-from ._rows import RowSolver
+from ._solver import DistanceSolver
 from .curves import Curves, curves_made
 from .mesh import Mesh, pointer_of
 from .sources import SourcesLike, TargetsLike, pointer_to, sources_of, targets_of
@@ -136,7 +136,7 @@ class ExactField(Owner):
         return f"ExactField(vertices={self._vertex_count}, final_radius={self.final_radius:g})"
 
 
-class ExactSolver(RowSolver):
+class ExactSolver(DistanceSolver):
     """A mesh prepared for exact distances; serves any number of calls, also at once. C: ``taut_exact``.
 
     Windows as by Mitchell, Mount and Papadimitriou (1987), in lists as by Qin et al. (2016).
@@ -156,17 +156,6 @@ class ExactSolver(RowSolver):
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
         self._handle = made(self._kind, library.taut_exact_new, pointer_of(mesh))
-
-    def compute_distance(
-        self,
-        sources: SourcesLike,
-        *,
-        progress: Progress | None = None,
-        time_limit: float | None = None,
-        control: Control | None = None,
-    ) -> AnyArray:
-        """The distance of every vertex from the nearest of the sources: (V,) float64, inf where none reaches."""
-        return self.field(sources, progress=progress, time_limit=time_limit, control=control).distances()
 
     def field(
         self,

@@ -14,7 +14,7 @@ from ._errors import check
 from ._handle import Handle, Owner, made
 from ._native import Laplacian, Shift, Solver, library
 from ._options import choice
-from ._rows import RowSolver
+from ._solver import DistanceSolver
 from .mesh import Mesh, TimeStep, TimeStepLike, pointer_of, time_step_of
 from .sources import SourcesLike, pointer_to, sources_of
 
@@ -90,7 +90,7 @@ class HeatField(Owner):
         return f"HeatField(vertices={self._vertex_count})"
 
 
-class HeatSolver(RowSolver):
+class HeatSolver(DistanceSolver):
     """The heat method prepared for a mesh and a time step; serves any number of calls, also at once. C: ``taut_heat``.
 
     Crane, Weischedel and Wardetzky, Geodesics in Heat, 2013; on intrinsic Delaunay triangles, Sharp and Crane, 2020.
@@ -219,17 +219,6 @@ class HeatSolver(RowSolver):
         with watched(progress, time_limit, control) as watch:
             handle = made(self._kind, library.taut_heat_with_mesh, self._pointer, pointer_of(mesh), watch)
         return HeatSolver.__new__(HeatSolver)._set(handle, mesh, self._words["time_step"], self._words)
-
-    def compute_distance(
-        self,
-        sources: SourcesLike,
-        *,
-        progress: Progress | None = None,
-        time_limit: float | None = None,
-        control: Control | None = None,
-    ) -> AnyArray:
-        """The distance of every vertex from the nearest of the sources: (V,) float64, inf where none reaches."""
-        return self.field(sources, progress=progress, time_limit=time_limit, control=control).distances()
 
     def field(
         self,

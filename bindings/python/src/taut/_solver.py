@@ -1,4 +1,4 @@
-"""What both solvers do alike: many rows of distances at once."""
+"""What both solvers do alike: distances from a set of sources, and from many sets at once."""
 
 from __future__ import annotations
 
@@ -15,12 +15,27 @@ from .mesh import Mesh
 from .sources import SourcesLike, pointer_to, sources_of
 
 
-class RowSolver(Owner):
+class DistanceSolver(Owner):
     """A mesh prepared for distances by one of the methods."""
 
     mesh: Mesh
+    #: The field of a set of sources, which tells its distances.
+    field: Any
     #: The function of C that computes rows.
     _rows: Any
+
+    def compute_distance(
+        self,
+        sources: SourcesLike,
+        *,
+        progress: Progress | None = None,
+        time_limit: float | None = None,
+        control: Control | None = None,
+    ) -> AnyArray:
+        """The distance of every vertex from the nearest of the sources: (V,) float64, inf where none reaches."""
+        field = self.field(sources, progress=progress, time_limit=time_limit, control=control)
+        distances: AnyArray = field.distances()
+        return distances
 
     def distance_rows(
         self,
